@@ -26,7 +26,7 @@ void expectBash(const std::string& script) {
   EXPECT_TRUE(end.succeeded()) << end.errors;
 }
 
-TEST(BatchScript, OfAJobArray) {
+TEST(BatchScript, WritesASlurmJobArray) {
   BatchJob with_gpus = job();
   with_gpus.time = "01:00:00", with_gpus.gpus = 1;
   const std::string script = sbatchScript(with_gpus);
@@ -54,7 +54,7 @@ exit $code
   expectBash(submitLine(job(), "a b"));
 }
 
-TEST(BatchScript, OfGnuParallel) {
+TEST(BatchScript, WritesAGnuParallelScript) {
   EXPECT_EQ(parallelScript(job()), R"(#!/bin/bash
 cd /lab || exit
 parallel --jobs 4 --retries 2 --joblog '/lab/out/my samples/logs/parallel.tsv' '/opt/strobe sweep x.lua -o '\''out/my samples'\'' --only '\''arm=a b'\'' --share {}/4 >>'\''/lab/out/my samples/logs'\''/share_{}.log 2>&1' ::: {1..4}
@@ -63,7 +63,7 @@ parallel --jobs 4 --retries 2 --joblog '/lab/out/my samples/logs/parallel.tsv' '
   expectBash(parallelScript(job()));
 }
 
-TEST(BatchScript, OfAPlainShell) {
+TEST(BatchScript, WritesAPlainShellScript) {
   EXPECT_EQ(shellScript(job()), R"(#!/bin/bash
 cd /lab || exit
 for share in {1..4}; do
@@ -75,7 +75,7 @@ wait
   expectBash(shellScript(job()));
 }
 
-TEST(BatchScript, OfSnakemake) {
+TEST(BatchScript, WritesASnakefile) {
   BatchJob braces = job();
   braces.start = "/lab/{a}", braces.report[2] = "{out}";
   EXPECT_EQ(snakefile(braces), R"(workdir: "/lab/{a}"
@@ -93,7 +93,7 @@ rule share:
 )");
 }
 
-TEST(BatchScript, HasOneTaskPerTwentyPointsButNoTaskWithoutATruth) {
+TEST(BatchScript, HasATaskPerTwentyPointsAndATruthPerTask) {
   EXPECT_EQ(tasksFor(1, 1), 1);
   EXPECT_EQ(tasksFor(60, 12), 3);
   EXPECT_EQ(tasksFor(60, 1), 1);

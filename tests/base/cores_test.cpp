@@ -9,7 +9,7 @@
 namespace strobe {
 namespace cores_test {
 
-TEST(Cores, LeastOfProcessorsQuotaAndTask) {
+TEST(Cores, AreTheMinimumOfProcessorsQuotaAndTask) {
   EXPECT_EQ(coresOf(8, 0, nullptr), 8u);
   EXPECT_EQ(coresOf(8, 2.5, nullptr), 3u);
   EXPECT_EQ(coresOf(8, 2.5, "2"), 2u);
@@ -31,7 +31,7 @@ class Cgroup : public ::testing::Test {
   testing::TemporaryFolder root_;
 };
 
-TEST_F(Cgroup, LowestQuotaOfTheSecondVersion) {
+TEST_F(Cgroup, VersionTwoGivesTheLowestQuota) {
   EXPECT_EQ(quota(), 0) << "without cgroups";
   write("proc/self/cgroup", "0::/slurm/job_7/step_0\n");
   write("sys/fs/cgroup/slurm/job_7/step_0/cpu.max", "max 100000\n");
@@ -41,7 +41,7 @@ TEST_F(Cgroup, LowestQuotaOfTheSecondVersion) {
   EXPECT_EQ(quota(), 2.5);
 }
 
-TEST_F(Cgroup, QuotaOfTheFirstVersion) {
+TEST_F(Cgroup, VersionOneGivesItsQuota) {
   write("proc/self/cgroup", "5:memory:/job\n4:cpu,cpuacct:/job\n0::/\n");
   write("sys/fs/cgroup/cpu/job/cpu.cfs_period_us", "50000\n");
   write("sys/fs/cgroup/cpu/job/cpu.cfs_quota_us", "-1\n");
@@ -51,7 +51,7 @@ TEST_F(Cgroup, QuotaOfTheFirstVersion) {
 }
 
 // A container mounts its own cgroup at the root, but names the path of the host.
-TEST_F(Cgroup, QuotaAtTheRootOfAContainer) {
+TEST_F(Cgroup, ContainerGivesTheQuotaAtItsRoot) {
   write("proc/self/cgroup", "0::/../../host/path\n");
   write("sys/fs/cgroup/cpu.max", "100000 100000\n");
   EXPECT_EQ(quota(), 1);

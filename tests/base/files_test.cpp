@@ -22,7 +22,7 @@ class Files : public ::testing::Test {
   const Path folder_ = temporary_.path();
 };
 
-TEST_F(Files, AWrittenFileIsWhole) {
+TEST_F(Files, WrittenFileIsComplete) {
   writeFileAtomically(folder_ / "new" / "file.txt", std::string_view("first"));
   writeFileAtomically(folder_ / "new" / "file.txt", std::string_view("second"));
   EXPECT_EQ(readText(folder_ / "new" / "file.txt"), "second");
@@ -30,7 +30,7 @@ TEST_F(Files, AWrittenFileIsWhole) {
 }
 
 // A limit on file sizes stands in for a full disk: the write fails half way.
-TEST_F(Files, AFailedWriteKeepsTheOldFileAndLeavesNothingElse) {
+TEST_F(Files, FailedWriteKeepsTheOldFile) {
   writeFileAtomically(folder_ / "file.txt", std::string_view("old"));
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before;
@@ -45,7 +45,7 @@ TEST_F(Files, AFailedWriteKeepsTheOldFileAndLeavesNothingElse) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
-TEST_F(Files, AMissingFileIsNamed) {
+TEST_F(Files, MissingFileIsNamed) {
   const std::string refused = testing::refusalOf([&] { readText(folder_ / "absent.txt"); });
   EXPECT_NE(refused.find("absent.txt: cannot be read: No such file"), std::string::npos) << refused;
 }
@@ -55,7 +55,7 @@ TEST_F(Files, ExtensionsMayBeInCapitals) {
   for (const char* name : {"", "glb", "a.glb2", "a.gltf", "aglb"}) EXPECT_FALSE(hasExtension(name, ".glb")) << name;
 }
 
-TEST(Names, TheNearestIsAMisspellingOnly) {
+TEST(Names, NearestNameIsAMisspellingOnly) {
   std::vector<std::string> names = {"depth", "normal", "velocity"};
   EXPECT_EQ(nearestName("dept", names), "depth");
   EXPECT_EQ(nearestName("veloctiy", names), "velocity");

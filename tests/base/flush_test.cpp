@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is flushed to disk once a file has its name.
+// Flushes to disk when a file is written and renamed.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -12,10 +12,10 @@
 #include "common/temporary_folder.h"
 
 namespace {
-std::vector<ino_t>* flushed = nullptr;  // while a test watches
+std::vector<ino_t>* flushed = nullptr;  // set while a test records
 }
 
-// In place of the C library's.
+// Replaces the C library's function.
 extern "C" int fsync(int descriptor) {
   struct stat status {};
   if (flushed && ::fstat(descriptor, &status) == 0) flushed->push_back(status.st_ino);
@@ -31,8 +31,8 @@ ino_t inodeOf(const Path& path) {
   return status.st_ino;
 }
 
-// A rename is on disk once the folder is: first the content, then the name.
-TEST(Flush, ARenamedFileKeepsItsNameWhenTheMachineFails) {
+// A rename is durable after its folder is flushed; the content is flushed before the name.
+TEST(Flush, RenameIsDurable) {
   testing::TemporaryFolder folder;
   const Path file = folder.path() / "a/file.txt", other = folder.path() / "film.mp4";
   std::vector<ino_t> order;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where files are found, and how they are named.
+// Search for files below the home's roots, and the names of these files.
 #include "base/home.h"
 
 #include <gtest/gtest.h>
@@ -49,14 +49,14 @@ TEST_F(Homes, ShowPathsRelativeToTheirRoot) {
             "passes/b.lua: cannot be read: No such file or directory");
 }
 
-TEST_F(Homes, AreFoundByThePlaceOfTheProgram) {
+TEST_F(Homes, AreLocatedFromTheProgramsPath) {
   EXPECT_EQ(Home::shippedWith(folder_ / "bin/strobe"), sourceFolder());
   write("share/strobe/scripts/strobe/pass.lua");
   EXPECT_EQ(Home::shippedWith(folder_ / "bin/strobe"), folder_ / "share/strobe");
   EXPECT_EQ(Home::shippedWith(folder_ / "elsewhere/bin/strobe"), sourceFolder());
 }
 
-// A project, and a place to look from.
+// A project's root in front of the shipped root.
 TEST_F(Homes, NameTheRootOfAFile) {
   write("ours/passes/a.lua");
   write("mine/passes/b.lua");
@@ -93,12 +93,12 @@ TEST_F(Homes, FollowLinksToARoot) {
   EXPECT_EQ(Home({folder_ / "link", folder_ / "ours"}).shown(folder_ / "mine/passes/b.lua"), "passes/b.lua");
 }
 
-// What `find` says of a project's file under the name of a shipped one, or of one that says it replaces.
+// The error of `find` for a project's file that has the name of a shipped file or declares that it replaces one.
 std::string refusal(const Home& home, const Path& name) {
   return testing::refusalOf([&] { home.find(name); });
 }
 
-TEST_F(Homes, ReplaceWhatIsDeclaredToBeReplaced) {
+TEST_F(Homes, ReplaceOnlyFilesThatDeclareIt) {
   Home home({folder_ / "mine", folder_ / "ours"});
   const std::string undeclared =
       "passes/a.lua: has the name of a shipped file, strobe:passes/a.lua; rename it, or begin it with the line "
@@ -136,15 +136,15 @@ TEST_F(Homes, RefuseToReplaceNothing) {
   EXPECT_TRUE(home.mistakesOfProject().empty());
 }
 
-TEST_F(Homes, HaveSharedDataWhereThereIsSome) {
+TEST_F(Homes, HaveSharedDataIfItsFolderExists) {
   EXPECT_FALSE(Home(folder_ / "ours").data());
   fs::create_directories(folder_ / "shared");
   EXPECT_EQ(Home(folder_ / "ours").data(), folder_ / "shared");
   EXPECT_FALSE(Home({folder_ / "ours"}, folder_ / "nowhere").data());
 }
 
-// What a folder besides has takes the place of a home's own, what its list names is left out.
-TEST_F(Homes, AreFrozenWithOtherFiles) {
+// The folder `other` overrides files of the home's roots; its absent.txt lists files to leave out.
+TEST_F(Homes, FreezeWithOverridingFiles) {
   for (const char* file : {"passes/a.lua", "passes/b.lua", "shaders/c.glsl"}) write(Path("ours") / file, "old");
   write("mine/strobe.project.lua"), write("mine/passes/own.lua", "old");
   write("other/strobe/passes/a.lua", "new"), write("other/project/passes/more.lua", "new");
@@ -157,7 +157,7 @@ TEST_F(Homes, AreFrozenWithOtherFiles) {
     EXPECT_TRUE(frozen.home().find("shaders/c.glsl"));
     EXPECT_FALSE(frozen.home().find("passes/b.lua"));
     EXPECT_FALSE(frozen.home().find("passes/own.lua"));
-    EXPECT_TRUE(home.find("passes/b.lua")) << "the original stays";
+    EXPECT_TRUE(home.find("passes/b.lua")) << "the original is unchanged";
   }
   for (const char* name : {"passes/b.lua", "strobe/../../mine/passes/own.lua", "/strobe/passes/b.lua", "strobe"}) {
     write("other/absent.txt", std::string("strobe/passes/b.lua\n") + name + "\n");
@@ -172,8 +172,8 @@ TEST_F(Homes, AreFrozenWithOtherFiles) {
   EXPECT_TRUE(fs::exists(folder_ / "mine/passes/own.lua"));
 }
 
-// A file named by its path in the original is that of the copy; the texts that name it stay.
-TEST_F(Homes, FindTheCopiesOfTheirFiles) {
+// A path into the original root maps to its copy; text in the files that names such a path is unchanged.
+TEST_F(Homes, MapFilesToTheirCopies) {
   for (const char* file : {"ours/scenes/a.lua", "ours/elsewhere/b.lua", "other/passes/c.lua"}) write(file, "old");
   const Home home(folder_ / "ours");
   FrozenHome frozen(home, folder_ / "copy"), other(home, folder_ / "another", folder_ / "other");
@@ -181,8 +181,8 @@ TEST_F(Homes, FindTheCopiesOfTheirFiles) {
   EXPECT_EQ(copyOf(frozen.home(), file), folder_ / "copy/0/scenes/a.lua");
   EXPECT_EQ(frozen.at(file), folder_ / "copy/0/scenes/a.lua");
   EXPECT_EQ(copyOf(frozen.home(), frozen.at(file)), frozen.at(file));
-  EXPECT_EQ(copyOf(home, file), file) << "it is no copy";
-  EXPECT_EQ(copyOf(other.home(), file), file) << "other files stand in its place";
+  EXPECT_EQ(copyOf(home, file), file) << "the home is not a copy";
+  EXPECT_EQ(copyOf(other.home(), file), file) << "other files replace this root";
   for (const char* name : {"ours/elsewhere/b.lua", "ours/scenes/none.lua", "other/passes/c.lua"})
     EXPECT_EQ(copyOf(frozen.home(), folder_ / name), folder_ / name);
 }

@@ -12,7 +12,7 @@ namespace inputs_test {
 std::string lua(const std::string& text) { return withoutComments(text, Language::lua); }
 std::string glsl(const std::string& text) { return withoutComments(text, Language::glsl); }
 
-TEST(Inputs, CommentsOfLua) {
+TEST(Inputs, RemoveLuaComments) {
   EXPECT_EQ(lua("a = 1 -- one\nb"), "a = 1  \nb");
   EXPECT_EQ(lua("a --[[ two\nlines ]] b"), "a   b");
   EXPECT_EQ(lua("a --[=[ ]] ]=] b"), "a   b");
@@ -22,7 +22,7 @@ TEST(Inputs, CommentsOfLua) {
   EXPECT_EQ(lua("'a' -- 'b'"), "'a'  ");
 }
 
-TEST(Inputs, HelpTextsOfLua) {
+TEST(Inputs, RemoveLuaHelpTexts) {
   EXPECT_EQ(lua("{ doc = \"one\", max = 2 }"), "{  , max = 2 }");
   EXPECT_EQ(lua("{ fails='one' ..\n  [[two]], 3 }"), "{  , 3 }");
   EXPECT_EQ(lua("doc = 'one' .. x"), "  .. x");
@@ -31,8 +31,8 @@ TEST(Inputs, HelpTextsOfLua) {
     EXPECT_EQ(lua(kept), kept);
 }
 
-// A string of three words or more is a text for people. With it go the strings that ".." joins to it.
-TEST(Inputs, ProseOfLua) {
+// A string of three words or more is text for people. Strings joined to it by ".." are removed with it.
+TEST(Inputs, RemoveLuaProse) {
   EXPECT_EQ(lua("refuse(path, 'has no name', x)"), "refuse(path,  , x)");
   EXPECT_EQ(lua("{ 'one' ..\n 'two of three' .. x }"), "{   .. x }");
   EXPECT_EQ(lua("values = { sky = \"The sky alone\" }"), "values = { sky =   }");
@@ -40,13 +40,13 @@ TEST(Inputs, ProseOfLua) {
     EXPECT_EQ(lua(kept), kept);
 }
 
-TEST(Inputs, CommentsOfGlsl) {
+TEST(Inputs, RemoveGlslComments) {
   EXPECT_EQ(glsl("a / b; // one\nc"), "a / b;  \nc");
   EXPECT_EQ(glsl("a /* two\nlines */ b"), "a   b");
   EXPECT_EQ(glsl("a -- b"), "a -- b");
 }
 
-TEST(Inputs, HashesOfFiles) {
+TEST(Inputs, HashFilesByTheirInputs) {
   testing::TemporaryFolder folder;
   auto hash = [&](const std::string& name, const std::string& text) {
     writeFileAtomically(folder / name, text);

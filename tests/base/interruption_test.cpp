@@ -17,7 +17,7 @@ struct End {
   std::string text;
 };
 
-// What becomes of a process that does `work`, and what it writes to stderr.
+// Exit status and stderr of a child process that runs `work`.
 End endOf(const std::function<void()>& work) {
   int ends[2];
   EXPECT_EQ(::pipe(ends), 0);
@@ -39,7 +39,7 @@ End endOf(const std::function<void()>& work) {
   return end;
 }
 
-// The exit code of a process that stops, as `main` makes it.
+// The exit code of a process that stops, computed as in `main`.
 int codeOf(const std::function<void()>& work) {
   try {
     work();
@@ -50,7 +50,7 @@ int codeOf(const std::function<void()>& work) {
   }
 }
 
-TEST(Interruption, StopsAtTheNextEndOfWork) {
+TEST(Interruption, StopsAfterTheCurrentStep) {
   for (int signal : {SIGINT, SIGTERM, SIGUSR1}) {
     End end = endOf([signal] {
       Interruption interruption;
@@ -70,7 +70,7 @@ TEST(Interruption, StopsAtTheNextEndOfWork) {
   EXPECT_EQ(waiting.status, kTryAgain);
 }
 
-TEST(Interruption, ASecondSignalEndsAtOnce) {
+TEST(Interruption, SecondSignalEndsAtOnce) {
   End end = endOf([] {
     Interruption interruption;
     for (int signal : {SIGINT, SIGUSR1}) ::kill(::getpid(), signal);
@@ -99,8 +99,8 @@ TEST(Interruption, StopsBeforeATimeLimit) {
   EXPECT_NO_THROW(stopIfLonger(1e9)) << "no limit";
 }
 
-// After its life signals do what they did.
-TEST(Interruption, LeavesNothingBehind) {
+// After an Interruption is destroyed, signals have their previous effect.
+TEST(Interruption, RestoresSignalsAfterwards) {
   End after = endOf([] {
     for (int i = 0; i < 2; ++i) {
       Interruption interruption(0.001);
@@ -117,7 +117,7 @@ TEST(Interruption, LeavesNothingBehind) {
     ::kill(::getpid(), SIGINT);
     stopIfRequested();
   });
-  EXPECT_EQ(ignored.status, 7) << "a job in the background";
+  EXPECT_EQ(ignored.status, 7) << "a background job ignores SIGINT";
   EXPECT_EQ(ignored.text, "");
 }
 

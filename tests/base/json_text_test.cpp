@@ -8,7 +8,7 @@
 namespace strobe {
 namespace json_text_test {
 
-TEST(JsonText, IsWhatTheLibraryReads) {
+TEST(JsonText, EqualsTheLibrarysParse) {
   const char* texts[] = {"{}",
                          "[]",
                          "null",
@@ -22,12 +22,12 @@ TEST(JsonText, IsWhatTheLibraryReads) {
   }
 }
 
-TEST(JsonText, IsDiscardedWhereItIsNone) {
+TEST(JsonText, InvalidTextIsDiscarded) {
   for (const char* text : {"", "{", "[1,", "{\"a\" 1}", "[] []", "nul", "\"\xff\"", "1e999", "{\"a\": 1}}"})
     EXPECT_TRUE(jsonFromText(text).is_discarded()) << text;
 }
 
-TEST(JsonText, FindsTheFirstOfTwoFieldsOfAName) { EXPECT_EQ(jsonFromText(R"({"a": 1, "a": 2})").at("a"), 1); }
+TEST(JsonText, FirstOfTwoEqualKeysCounts) { EXPECT_EQ(jsonFromText(R"({"a": 1, "a": 2})").at("a"), 1); }
 
 }  // namespace json_text_test
 }  // namespace strobe

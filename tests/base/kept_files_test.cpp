@@ -20,7 +20,7 @@ class KeptFilesIn : public ::testing::Test {
   const Path folder_ = temporary_.path();
 };
 
-TEST_F(KeptFilesIn, WhatWasKeptIsFoundByItsKey) {
+TEST_F(KeptFilesIn, FindsStoredBytesByKey) {
   const KeptFiles kept(folder_ / "new");
   const std::string bytes = {'1', 0, '2'};
   kept.keep("a", bytes);
@@ -30,7 +30,7 @@ TEST_F(KeptFilesIn, WhatWasKeptIsFoundByItsKey) {
   EXPECT_EQ(kept.find("none"), "");
 }
 
-TEST_F(KeptFilesIn, WhatIsNotWholeIsNotThere) {
+TEST_F(KeptFilesIn, IgnoresDamagedFiles) {
   const KeptFiles kept(folder_);
   kept.keep("a", "bytes");
   const std::string whole = readText(folder_ / "a");
@@ -46,7 +46,7 @@ TEST_F(KeptFilesIn, WhatIsNotWholeIsNotThere) {
   EXPECT_TRUE(kept.find("a"));
 }
 
-TEST_F(KeptFilesIn, NothingIsKeptWhereItCannotBe) {
+TEST_F(KeptFilesIn, UnusableFolderIsIgnored) {
   write("file", "a file in the place of the folder");
   for (const Path& folder : {folder_ / "file", Path()}) {
     KeptFiles(folder).keep("a", "bytes");
@@ -54,9 +54,9 @@ TEST_F(KeptFilesIn, NothingIsKeptWhereItCannotBe) {
   }
 }
 
-constexpr size_t kOne = 32 + 8;  // the hash, the bytes
+constexpr size_t kOne = 32 + 8;  // hash + content, bytes
 
-TEST_F(KeptFilesIn, TheOldestMakeWay) {
+TEST_F(KeptFilesIn, EvictsTheOldestFiles) {
   const KeptFiles kept(folder_);
   for (int i = 0; i < 9; ++i) {
     kept.keep(std::to_string(i), "8 bytes.");
@@ -69,7 +69,7 @@ TEST_F(KeptFilesIn, TheOldestMakeWay) {
   for (int i = 3; i < 9; ++i) EXPECT_TRUE(kept.find(std::to_string(i))) << i;
 }
 
-TEST_F(KeptFilesIn, OneProcessDoesNotFillTheDisk) {
+TEST_F(KeptFilesIn, OneProcessStaysWithinTheLimit) {
   const KeptFiles kept(folder_, 20 * kOne);
   for (int i = 0; i < 200; ++i) kept.keep(std::to_string(i), "8 bytes.");
   EXPECT_LE(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 27);

@@ -16,7 +16,7 @@ namespace lease_test {
 
 namespace fs = std::filesystem;
 
-// A process that does `work` and then waits to be killed.
+// A process that runs `work` and then waits to be killed.
 pid_t started(const std::function<void()>& work) {
   int ends[2];
   EXPECT_EQ(::pipe(ends), 0);
@@ -49,7 +49,7 @@ class Leases : public ::testing::Test {
   const Path file_ = folder_.path() / "name.lock";
 };
 
-TEST_F(Leases, AreOfOneAtATime) {
+TEST_F(Leases, HaveOneHolderAtATime) {
   {
     std::unique_ptr<Lease> lease = Lease::claim(file_);
     ASSERT_TRUE(lease);
@@ -61,8 +61,8 @@ TEST_F(Leases, AreOfOneAtATime) {
   EXPECT_TRUE(Lease::claim(file_));
 }
 
-// 16 processes add 1 to a number, ten times each, and each claims the number first. Some of the time the claim is one
-// of a process that was killed.
+// 16 processes each add 1 to a number ten times and claim the number before each addition. Some claims find the lease
+// of a killed process.
 TEST_F(Leases, ExcludeProcesses) {
   const Path number = folder_.path() / "number";
   write(number, "0");
@@ -82,7 +82,7 @@ TEST_F(Leases, ExcludeProcesses) {
   EXPECT_EQ(readText(number), "160");
 }
 
-TEST_F(Leases, OfAnEndedProcessAreTakenOver) {
+TEST_F(Leases, AreTakenOverFromEndedProcesses) {
   pid_t holder = started([this] { Lease::claim(file_).release(); });
   EXPECT_FALSE(Lease::claim(file_)) << "it runs";
   ::kill(holder, SIGKILL);
@@ -92,8 +92,8 @@ TEST_F(Leases, OfAnEndedProcessAreTakenOver) {
   ::waitpid(holder, nullptr, 0);
 }
 
-// The sign of a process of another machine is the time of its file.
-TEST_F(Leases, OfAnotherMachineAreTakenOverWithoutASign) {
+// A process on another machine keeps its lease by renewing the file's modification time.
+TEST_F(Leases, AreTakenOverFromOtherMachinesIfNotRenewed) {
   write(file_, "elsewhere-0000.1");
   EXPECT_FALSE(Lease::claim(file_));
   setAge(file_, kLease_s - 5);
@@ -101,13 +101,13 @@ TEST_F(Leases, OfAnotherMachineAreTakenOverWithoutASign) {
   setAge(file_, kLease_s + 5);
   std::unique_ptr<Lease> lease = Lease::claim(file_);
   ASSERT_TRUE(lease);
-  // The process was only suspended: what it finds is not its own.
+  // The holder was only suspended: it must not remove a lease that another process has taken over.
   write(file_, "elsewhere-0000.2");
   lease.reset();
   EXPECT_EQ(readText(file_), "elsewhere-0000.2");
 }
 
-TEST_F(Leases, OfAFolderNameTheProcess) {
+TEST_F(Leases, OnFoldersNameTheHolder) {
   const std::unique_ptr<Lease> lease = Lease::ofFolder(folder_.path() / "new");
   try {
     Lease::ofFolder(folder_.path() / "new");
@@ -119,7 +119,7 @@ TEST_F(Leases, OfAFolderNameTheProcess) {
   EXPECT_THROW(Lease::claim(folder_.path() / "missing/name.lock"), WriteError);
 }
 
-TEST(ProcessNames, TellEndedProcessesOfThisMachine) {
+TEST(ProcessNames, IdentifyEndedProcessesOfThisMachine) {
   const std::string here = processName(), host = here.substr(0, here.find('.'));
   EXPECT_EQ(here, host + "." + std::to_string(::getpid()));
   EXPECT_FALSE(hasEnded(here));

@@ -36,8 +36,9 @@ std::set<std::string> filesIn(const Path& folder) {
   return names;
 }
 
-// Files of ended processes of this machine go. Files of running processes, of other machines, and of other names stay.
-TEST(Leftovers, AreThoseOfProcessesThatAreGone) {
+// Files of ended processes of this machine are removed. Files of running processes, other machines and other names
+// stay.
+TEST(Leftovers, OfEndedProcessesAreRemoved) {
   testing::TemporaryFolder folder;
   const std::string gone = goneProcess(), here = processName(), other = "elsewhere-0000.1";
   for (const std::string& name :
@@ -60,7 +61,7 @@ TEST(Leftovers, AreThoseOfProcessesThatAreGone) {
   removeLeftovers(folder.path() / "no such folder");
 }
 
-TEST(Leftovers, OfOneFileLeaveOthersAlone) {
+TEST(Leftovers, OfOneFileAreRemovedAlone) {
   testing::TemporaryFolder folder;
   const std::string gone = goneProcess();
   for (const std::string& name : {"x.png." + gone + ".part", "x.record.json." + gone + ".part",

@@ -18,15 +18,15 @@ class Memory : public ::testing::Test {
   testing::TemporaryFolder folder_;
 };
 
-TEST_F(Memory, IsWhatTheSystemHasAvailable) {
-  EXPECT_EQ(available(), UINT64_MAX) << "nothing is said";
+TEST_F(Memory, EqualsMemAvailable) {
+  EXPECT_EQ(available(), UINT64_MAX) << "no file states a value";
   write("proc/meminfo", "MemTotal:  8000 kB\nMemFree:   100 kB\nMemAvailable:   3000 kB\nSwapFree:   0 kB\n");
   EXPECT_EQ(available(), 3000u << 10);
   write("proc/meminfo", "MemAvailable:   3000 kB\nSwapFree:   500 kB\n");
   EXPECT_EQ(available(), 3500u << 10);
 }
 
-// The least of what the system and every group above the process leave; pages of files are freed on demand.
+// The minimum over the system and all enclosing control groups; pages of files count as free.
 TEST_F(Memory, IsLimitedByControlGroups) {
   write("proc/meminfo", "MemAvailable: 1000000 kB\n");
   write("proc/self/cgroup", "0::/user/job\n");

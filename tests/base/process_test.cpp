@@ -39,8 +39,8 @@ TEST(Process, LargeInputAndOutputPass) {
   EXPECT_TRUE(run(program).succeeded());
 }
 
-// What does not fit into memory at once is asked for piece by piece.
-TEST(Process, InputComesPieceByPiece) {
+// Input larger than memory is supplied in pieces.
+TEST(Process, InputIsSuppliedInPieces) {
   Program program = shell("cat");
   program.input = "0";
   int piece = 0;
@@ -63,7 +63,7 @@ TEST(Process, InputComesPieceByPiece) {
   EXPECT_LT(clockSeconds() - started_s, 50);
 }
 
-TEST(Process, TheEnvironmentIsOursWithSomeOfItsOwn) {
+TEST(Process, InheritsTheEnvironmentWithOverrides) {
   ::setenv("STROBE_TEST_KEPT", "kept", 1);
   ::setenv("STROBE_TEST_GIVEN", "ours", 1);
   Program program = shell("echo $STROBE_TEST_KEPT $STROBE_TEST_GIVEN $STROBE_TEST_GIVEN_TOO");
@@ -73,19 +73,19 @@ TEST(Process, TheEnvironmentIsOursWithSomeOfItsOwn) {
   ::unsetenv("STROBE_TEST_GIVEN");
 }
 
-TEST(Process, ASignalIsNamed) {
+TEST(Process, SignalIsNamed) {
   ProgramEnd end = run(shell("kill -SEGV $$"));
   EXPECT_EQ(end.signal, SIGSEGV);
   EXPECT_EQ(end.code(), 128 + SIGSEGV);
 }
 
-TEST(Process, AMissingProgramIsAnError) {
+TEST(Process, MissingProgramIsAnError) {
   EXPECT_EQ(testing::refusalOf([&] { run({.arguments = {"/nonexistent/program"}}); }),
             "'/nonexistent/program' cannot be started: No such file or directory");
 }
 
 // The child of the child holds the stream open: the whole group has to end.
-TEST(Process, AtTheWallClocksLimitTheGroupIsKilled) {
+TEST(Process, WallClockLimitKillsTheGroup) {
   for (const char* script : {"sleep 60 & sleep 60", "exec >/dev/null 2>&1; sleep 60"}) {
     Program program = shell(script);
     program.wall_s = 0.2;
@@ -113,7 +113,7 @@ TEST(Process, OutputIsBounded) {
   EXPECT_EQ(end.signal, SIGKILL);
 }
 
-TEST(Process, WorkGoesOnMeanwhile) {
+TEST(Process, CallbackRunsMeanwhile) {
   int calls = 0;
   Program program = shell("sleep 0.3");
   program.meanwhile = [&] { ++calls; };
@@ -121,7 +121,7 @@ TEST(Process, WorkGoesOnMeanwhile) {
   EXPECT_GE(calls, 5);
 }
 
-TEST(Process, ThreadsMayRunProgramsSideBySide) {
+TEST(Process, ThreadsRunProgramsConcurrently) {
   std::vector<std::future<std::string>> outputs;
   for (int i = 0; i < 32; ++i)
     outputs.push_back(std::async(std::launch::async, [i] { return run(shell("echo " + std::to_string(i))).output; }));

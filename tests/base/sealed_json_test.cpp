@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Damage to a sealed file never gives another object.
+// Damage to a sealed file never yields another object.
 #include "base/sealed_json.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace strobe {
 namespace sealed_json_test {
 
-TEST(SealedJson, GivesTheObjectOrNothing) {
+TEST(SealedJson, YieldsTheObjectOrNothing) {
   const Json object = {
       {"title", "A \"title\", ä"}, {"values", {{"rmse", 0.1}, {"n", -3}}}, {"list", {1.5, nullptr, true}}};
   const std::string text = sealed(object);

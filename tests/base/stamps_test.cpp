@@ -25,16 +25,16 @@ class StampsTest : public ::testing::Test {
   Path file_ = folder_ / "a.txt";
 };
 
-TEST_F(StampsTest, SeeWhatHappensToAFile) {
+TEST_F(StampsTest, DetectChangesOfAFile) {
   writeFileAtomically(file_, "one");
-  EXPECT_FALSE(of(file_).current()) << "it may change within the same tick";
+  EXPECT_FALSE(of(file_).current()) << "the file may change again within the same clock tick";
   settle();
   Stamps before = of(file_);
   EXPECT_TRUE(before.current());
   auto time = std::filesystem::last_write_time(file_);
   writeFileAtomically(file_, "two");
   std::filesystem::last_write_time(file_, time);
-  EXPECT_FALSE(before.current()) << "as long, and as old";
+  EXPECT_FALSE(before.current()) << "same size and modification time";
   settle();
   Stamps after = of(file_);
   EXPECT_TRUE(after.current());
@@ -42,7 +42,7 @@ TEST_F(StampsTest, SeeWhatHappensToAFile) {
   EXPECT_FALSE(after.current());
 }
 
-TEST_F(StampsTest, SeeFilesThatAppear) {
+TEST_F(StampsTest, DetectNewFiles) {
   settle();
   Stamps folder = of(folder_), missing = of(file_);
   EXPECT_TRUE(folder.current() && missing.current());

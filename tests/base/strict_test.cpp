@@ -56,12 +56,12 @@ TEST(Strict, AllMistakesAreNamedWithTheirPlace) {
             "a.lua:7: lamp: unknown key 'colour'; did you mean 'color'?");
 }
 
-TEST(Strict, APlaceThatIsNoneIsAMistake) {
+TEST(Strict, InvalidPlacesAreMistakes) {
   for (const Json& place : {Json(3), Json({{"line", "x"}}), Json({{"line", -1}}), Json({{"line", 1}, {"file", 2}})})
     EXPECT_EQ(problemsOf({{"place", place}}, [](Fields&) {}), "a.lua:1: lamp: 'place' is not a file and a line");
 }
 
-TEST(Strict, TheFirstMistakeIsThrownWhereThatIsAskedFor) {
+TEST(Strict, AtOnceThrowsTheFirstMistake) {
   Problems problems(Problems::When::at_once);
   Json json = {{"n", "2"}};
   Fields fields(json, "lamp", kOuter, problems);

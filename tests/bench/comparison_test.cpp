@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two runs of known times: the pass that changed is found, and what the machine did is not taken for it.
+// Comparisons of two runs with given times find the changed pass and leave out changes of the machine's speed.
 #include "bench/comparison.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace comparison_test {
 
 constexpr int kRounds = 18;
 
-// Every pass takes 10 ms, with noise of its own; `gather` and everything are slowed by factors.
+// Every pass takes 10 ms with noise; factors slow down `gather` and all passes.
 bench::Run timed(int seed, double gather = 1, double all = 1, bool software = false, int rounds = kRounds) {
   return runOf(
       rounds,
@@ -38,7 +38,7 @@ const Change& changeOf(const TimeComparison& comparison, const std::string& meth
 
 using Names = std::vector<std::string>;
 
-TEST(TimeComparison, FindsThePassThatMoved) {
+TEST(TimeComparison, FindsTheChangedPass) {
   bench::Run before = timed(1), now = timed(5, 1.3);
   TimeComparison comparison = compared(now, before, 0.05);
   EXPECT_EQ(comparison.kind, TimeComparison::Kind::milliseconds);
@@ -46,30 +46,29 @@ TEST(TimeComparison, FindsThePassThatMoved) {
   EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1.3, 0.01);
   EXPECT_LE(changeOf(comparison, "blurred", "gather").ratio.low, 1.3);
   EXPECT_GE(changeOf(comparison, "blurred", "gather").ratio.high, 1.3);
-  EXPECT_EQ(movedIn(compared(now, before, 0.2)), (Names{"blurred gather"})) << "the frame changed by less than a fifth";
+  EXPECT_EQ(movedIn(compared(now, before, 0.2)), (Names{"blurred gather"})) << "the frame changed by less than 20 %";
   EXPECT_EQ(movedIn(compared(now, before, 0.4)), Names());
   EXPECT_EQ(movedIn(compared(now, now, 0.01)), Names()) << "against itself";
 }
 
-TEST(TimeComparison, TooFewRoundsTellNothing) {
+TEST(TimeComparison, TooFewRoundsGiveNoResult) {
   bench::Run before = timed(1, 1, 1, false, 6), now = timed(5, 3, 1, false, 6);
   EXPECT_EQ(movedIn(compared(now, before, 0.05)), Names());
 }
 
-// Everything is slower by half, as on a machine that does something else: on a software device nothing moved but the
-// pass that did.
+// All passes are 1.5 times slower, as on a busy machine: on a software device only the changed pass is reported.
 TEST(TimeComparison, DividesByTheBaseOnASoftwareDevice) {
   bench::Run before = timed(1, 1, 1, true), slower = timed(5, 1, 1.5, true), now = timed(5, 1.3, 1.5, true);
   TimeComparison comparison = compared(slower, before, 0.05);
   EXPECT_EQ(comparison.kind, TimeComparison::Kind::base);
   EXPECT_EQ(movedIn(comparison), Names());
-  EXPECT_NEAR(changeOf(comparison, "sharp", "").ratio.value, 1.49, 0.02) << "the base has its milliseconds";
+  EXPECT_NEAR(changeOf(comparison, "sharp", "").ratio.value, 1.49, 0.02) << "the base is compared in milliseconds";
   EXPECT_EQ(movedIn(compared(now, before, 0.05)), (Names{"blurred frame", "blurred gather"}));
   EXPECT_NEAR(changeOf(compared(now, before, 0.05), "blurred", "gather").ratio.value, 1.3, 0.03);
 }
 
-// A base that gained makes all others look slower; their milliseconds say that they are not.
-TEST(TimeComparison, AFasterBaseDoesNotMoveTheOthers) {
+// A faster base makes all other methods look slower relative to it; their milliseconds show that they are unchanged.
+TEST(TimeComparison, FasterBaseLeavesOthersUnchanged) {
   auto run = [](double base, int seed) {
     return runOf(
         kRounds,
@@ -84,7 +83,7 @@ TEST(TimeComparison, AFasterBaseDoesNotMoveTheOthers) {
   EXPECT_EQ(movedIn(comparison), Names());
 }
 
-TEST(TimeComparison, OfAnotherDeviceIsRelativeAndSaysSo) {
+TEST(TimeComparison, AcrossDevicesIsRelative) {
   bench::Run before = timed(1), now = timed(5);
   before.driver = "an older driver";
   before.environment = {{"LP_NUM_THREADS", "2"}};
@@ -95,7 +94,8 @@ TEST(TimeComparison, OfAnotherDeviceIsRelativeAndSaysSo) {
                                       "environment LP_NUM_THREADS=2, now nothing"}));
 }
 
-// The machine gets slower from block to block, which both programs see alike: milliseconds of the pair are compared.
+// The machine slows down from block to block, alike for both programs: milliseconds are compared within a pair of
+// blocks.
 TEST(TimeComparison, BlocksAreComparedInPairs) {
   std::vector<bench::Run> now, before;
   for (int block = 0; block < 8; ++block) {
@@ -114,7 +114,7 @@ TEST(TimeComparison, BlocksAreComparedInPairs) {
   EXPECT_EQ(movedIn(few), Names()) << "five blocks have no interval of 95 %";
 }
 
-TEST(TimeComparison, NamesPassesThatOneRunAloneHas) {
+TEST(TimeComparison, NamesPassesOfOneRunOnly) {
   bench::Run before = timed(1), now = timed(5);
   now.shots[1].passes[2].name = "gather_wide";
   TimeComparison comparison = compared(now, before, 0.05);
@@ -123,7 +123,7 @@ TEST(TimeComparison, NamesPassesThatOneRunAloneHas) {
   EXPECT_EQ(comparison.changes.size(), 4u + 4u) << "frame, draw, shade and rest of both";
 }
 
-TEST(TimeComparison, IsToldInWordsAndAsData) {
+TEST(TimeComparison, IsReportedAsTextAndJson) {
   bench::Run before = timed(1), now = timed(5, 1.3);
   TimeComparison comparison = compared(now, before, 0.05);
   comparison.against = "before.json";

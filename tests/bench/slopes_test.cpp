@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines through times that are known, what is expected of them, and what a GPU would need at least.
+// Lines fitted through given times, their expected growth, and the least times of a GPU.
 #include "bench/slopes.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace strobe::bench::test {
 namespace slopes_test {
 
-// Milliseconds of a pass at x.
+// Milliseconds of a pass at the axis value x.
 using PassMs = double (*)(double x);
 
 ShotTimes shotAt(double x, const std::vector<std::pair<std::string, PassMs>>& passes) {
@@ -24,7 +24,7 @@ ShotTimes shotAt(double x, const std::vector<std::pair<std::string, PassMs>>& pa
   return shot;
 }
 
-// Of passes that grow as they are called, and one that bends.
+// Three passes whose names describe their growth, and `falls`, which decreases.
 AxisRun axisOf(std::vector<ExpectedGrowth> expected) {
   AxisRun axis{"lights", "Lights", "", {}, {1, 2, 4, 8, 16}, std::move(expected)};
   axis.run = {"strobe bench slopes", "1.0", "hash", "a device", "a driver", "query", false, 4, {}, {}};
@@ -40,7 +40,7 @@ const Fit& fitOf(const std::vector<Fit>& fits, const std::string& part) {
   return *std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) { return fit.part == part; });
 }
 
-TEST(Slopes, AreThoseOfTheTimes) {
+TEST(Slopes, FitTheTimes) {
   std::vector<Fit> fits = fitsOf(axisOf({{"tree", "", Growth::logarithmic, ""}}));
   ASSERT_EQ(fits.size(), 6u) << "the frame, four passes, the rest";
   EXPECT_EQ(fits.front().part, kFrame);
@@ -54,7 +54,7 @@ TEST(Slopes, AreThoseOfTheTimes) {
   EXPECT_NEAR(fitOf(fits, kRest).line.intercept, 0.5, 1e-9);
 }
 
-TEST(Slopes, AreHeldAgainstWhatIsExpected) {
+TEST(Slopes, AreComparedWithTheExpectedGrowth) {
   auto outcome = [](const std::string& part, Growth growth) {
     return fitOf(fitsOf(axisOf({{part, "blurred", growth, ""}})), part).verdict;
   };
@@ -64,11 +64,11 @@ TEST(Slopes, AreHeldAgainstWhatIsExpected) {
   EXPECT_EQ(outcome("line", Growth::constant), GrowthVerdict::fails);
   EXPECT_EQ(outcome("tree", Growth::logarithmic), GrowthVerdict::holds);
   EXPECT_EQ(outcome("tree", Growth::linear), GrowthVerdict::fails) << "R2 is 0.87 over x";
-  EXPECT_EQ(outcome("falls", Growth::linear), GrowthVerdict::fails) << "a time that falls does not grow";
+  EXPECT_EQ(outcome("falls", Growth::linear), GrowthVerdict::fails) << "a decreasing time does not grow";
 }
 
-// What is said of every pass holds of those of which nothing else is said.
-TEST(Slopes, TheMostSpecialExpectationCounts) {
+// An expectation for every pass applies to passes without an expectation of their own.
+TEST(Slopes, MostSpecificExpectationCounts) {
   std::vector<Fit> fits = fitsOf(axisOf({{kEveryPass, "", Growth::constant, ""},
                                          {"line", "", Growth::linear, ""},
                                          {kFrame, "other", Growth::linear, ""},
@@ -77,16 +77,16 @@ TEST(Slopes, TheMostSpecialExpectationCounts) {
   EXPECT_EQ(fitOf(fits, "line").verdict, GrowthVerdict::holds);
   EXPECT_EQ(fitOf(fits, "falls").verdict, GrowthVerdict::fails);
   EXPECT_EQ(fitOf(fits, kFrame).expected->why, "some reason");
-  EXPECT_FALSE(fitOf(fits, kRest).expected) << "it is no pass";
+  EXPECT_FALSE(fitOf(fits, kRest).expected) << "the rest is not a pass";
 }
 
-TEST(Slopes, TooFewValuesSayNothing) {
+TEST(Slopes, TooFewValuesGiveNoFit) {
   AxisRun axis = axisOf({{"line", "", Growth::linear, ""}});
   axis.run.shots.resize(2), axis.x.resize(2);
   EXPECT_EQ(fitOf(fitsOf(axis), "line").verdict, GrowthVerdict::unknown);
 }
 
-TEST(Slopes, AnExpectationOfNoPartIsRefused) {
+TEST(Slopes, ExpectationForAnUnknownPartIsRefused) {
   try {
     AxisRun axis = axisOf({{"line", "", Growth::linear, ""}, {"lime", "", Growth::linear, ""}});
     requireKnownParts(axis, fitsOf(axis));
@@ -110,7 +110,7 @@ TEST(Demand, EachPassIsBoundByBytesOrRays) {
   EXPECT_NEAR(toJson(demand, {500, 10})["most_fps"].get<double>(), 1000.0 / 6, 1e-9);
 }
 
-TEST(SlopesReport, ShowsWhatIsExpectedAndWhatIsPublished) {
+TEST(SlopesReport, ShowsExpectedAndPublishedGrowth) {
   Slopes slopes{"strobe bench slopes", "Costs", "What?", {axisOf({{"line", "", Growth::linear, "a ray for each"}})}};
   slopes.fits = {fitsOf(slopes.axes[0])};
   slopes.gpu = {500, 10};
@@ -120,7 +120,7 @@ TEST(SlopesReport, ShowsWhatIsExpectedAndWhatIsPublished) {
     EXPECT_NE(text.find(wanted), std::string::npos) << wanted << "\n" << text;
     EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
   }
-  EXPECT_EQ(text.find("falls"), std::string::npos) << "of passes those of which something is expected";
+  EXPECT_EQ(text.find("falls"), std::string::npos) << "only passes with an expectation are listed";
   EXPECT_NE(page.find("falls"), std::string::npos);
   Json json = toJson(slopes);
   EXPECT_EQ(json["axes"][0]["fits"].size(), 6u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs that nobody measured, with times that are known.
+// Synthetic runs with given times.
 #pragma once
 
 #include <cmath>
@@ -12,13 +12,13 @@ namespace strobe::bench::test {
 // Milliseconds of a pass of a method in a round.
 using MsOf = std::function<double(const std::string& method, const std::string& pass, int round)>;
 
-// Some percent about 1, another in each round and for each seed; its median over nine rounds is 1.
+// A factor within `percent` of 1 that depends on round and seed; its median over nine rounds is 1.
 inline double noise(int round, int seed, double percent = 2) {
   return 1 + percent / 100 * ((round * 4 + seed) % 9 - 4) / 4;
 }
 
-// Methods "sharp" (passes draw, shade) and "blurred" (these and gather) at one place; a frame takes what its passes do
-// and `rest_ms`.
+// Methods "sharp" (passes draw, shade) and "blurred" (draw, shade, gather) at one place. A frame takes the sum of its
+// passes plus `rest_ms`.
 inline Run runOf(int rounds, const MsOf& ms_of, bool software = false, double rest_ms = 0.5) {
   Run run{"strobe bench frames", "1.0", "hash", "a device", "a driver", "query", software, 4, {}, {}};
   for (const char* method : {"sharp", "blurred"}) {

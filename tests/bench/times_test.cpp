@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs as data: parts that add up, ratios to the base, files that are read back and files that are refused.
+// Runs as data: parts add up, ratios to the base, and files that are read back or refused.
 #include "bench/times.h"
 
 #include <gtest/gtest.h>
@@ -49,16 +49,16 @@ TEST(Times, PartsAddUpToTheFrame) {
   EXPECT_EQ(overlapping.shots[0].parts().back().ms[0], 0) << "no time is below 0";
 }
 
-TEST(Times, TheTypicalRoundIsNearestToTheMedian) {
+TEST(Times, TypicalRoundIsNearestToTheMedian) {
   bench::Run run =
       runOf(3, [](const std::string&, const std::string&, int round) { return round == 1 ? 5 : 9 * round; });
   EXPECT_EQ(run.shots[0].typicalRound(), 1u) << "frames of 0.5, 10.5 and 36.5 ms";
 }
 
-// Rounds slow down by a half, which the ratio within each round does not see: 4.5 / 2.5 in the first, and less of the
-// constant rest in later ones. The fourth and the fifth of eight values are in the middle, the first and the last are
-// left out (scipy.stats.binom(8, 0.5).cdf(0) = 0.004, cdf(1) = 0.035).
-TEST(Times, RatiosAreToTheFirstMethodOfThePlaceInTheSameRound) {
+// Rounds slow down by a half, but ratios within a round change little: 4.5 / 2.5 in the first round, and a smaller
+// share of the constant rest later. The estimate is between the fourth and fifth of eight values; the interval leaves
+// out the first and last (scipy.stats.binom(8, 0.5).cdf(0) = 0.004, cdf(1) = 0.035).
+TEST(Times, RatiosAreToTheBaseInTheSameRound) {
   bench::Run run = runOf(8, inOrder);
   EXPECT_EQ(ratioToBase(run, run.shots[0]).value, 1);
   Estimate ratio = ratioToBase(run, run.shots[1]);
@@ -69,7 +69,7 @@ TEST(Times, RatiosAreToTheFirstMethodOfThePlaceInTheSameRound) {
   ShotTimes elsewhere = run.shots[1];
   elsewhere.width = 128;
   run.shots.push_back(elsewhere);
-  EXPECT_EQ(&run.baseOf(run.shots[2]), &run.shots[2]) << "of another size it is the first";
+  EXPECT_EQ(&run.baseOf(run.shots[2]), &run.shots[2]) << "another image size has its own base";
 }
 
 TEST(Times, BlocksAreJoinedRoundByRound) {
@@ -78,7 +78,7 @@ TEST(Times, BlocksAreJoinedRoundByRound) {
   EXPECT_EQ(run.shots[1].passes[2].ms, (std::vector<double>{2, 2.2, 2, 2.2, 2.4}));
 }
 
-TEST(Times, AreReadBackAsTheyWereWritten) {
+TEST(Times, AreReadBackUnchanged) {
   bench::Run run = runOf(4, inOrder, true);
   run.environment = {{"LP_NUM_THREADS", "2"}};
   Json json = toJson(run);
@@ -122,7 +122,7 @@ TEST(Times, RunsOfOtherShotsAreRefused) {
   EXPECT_NE(refusalOf(run, other).find("'blurred, room, 64x36' has other options: exposure 0.25"), std::string::npos);
   other = run;
   other.shots[1].shot["aa"] = 1;
-  EXPECT_EQ(refusalOf(run, other), "accepted") << "one revision does not know an option: it has its default";
+  EXPECT_EQ(refusalOf(run, other), "accepted") << "an option that one revision lacks has its default";
   EXPECT_EQ(refusalOf(other, run), "accepted");
   other.shots[1].shot["aa"] = 4;
   EXPECT_NE(refusalOf(run, other).find("has other options: aa 4"), std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The trace of a run as its format demands, with the times of one round.
+// The trace of a run follows its format and has the times of one round.
 #include <gtest/gtest.h>
 
 #include "bench/report.h"
@@ -34,7 +34,7 @@ TEST_F(Trace, HasAProcessPerShotWithItsName) {
   EXPECT_TRUE(eventsOf(trace_, 3, "X").empty());
 }
 
-TEST_F(Trace, PassesFollowOneAnotherAndFillTheFrame) {
+TEST_F(Trace, PassesFillTheFrameInOrder) {
   for (size_t i = 0; i < run_.shots.size(); ++i) {
     const ShotTimes& shot = run_.shots[i];
     std::vector<Json> events = eventsOf(trace_, int(i) + 1, "X");
@@ -48,12 +48,12 @@ TEST_F(Trace, PassesFollowOneAnotherAndFillTheFrame) {
       end_us += events[e]["dur"].get<double>();
     }
     EXPECT_NEAR(events[0]["dur"].get<double>(), end_us, 1e-9);
-    EXPECT_NEAR(end_us, 1000 * median(shot.ms), 1e-9) << "seven rounds have one in the middle";
+    EXPECT_NEAR(end_us, 1000 * median(shot.ms), 1e-9) << "the median of seven rounds is one round";
     EXPECT_EQ(events[0]["args"]["round"], shot.typicalRound());
   }
 }
 
-TEST_F(Trace, EventsAreCompleteAndSayWhatThePassDid) {
+TEST_F(Trace, EventsDescribeTheirPass) {
   for (const Json& event : eventsOf(trace_, 2, "X"))
     for (const char* field : {"name", "ph", "ts", "dur", "pid", "tid"}) EXPECT_TRUE(event.contains(field)) << field;
   const Json pass = eventsOf(trace_, 2, "X")[1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The home that tests read from: the environment's, as the program has it.
+// The home that tests read files from, found through the environment as in the program.
 #pragma once
 
 #include "base/home.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages of the documentation as what they tell a reader to write and to run.
+// The instructions of a documentation page: files to write and commands to run.
 #pragma once
 
 #include <map>
@@ -10,11 +10,11 @@
 
 namespace strobe::testing {
 
-// What a page's fenced blocks hold:
+// Contents of a page's fenced blocks:
 //   ```lua passes/x.lua      a file, with the language of its ending
-//   ```lua passes/x.lua:12   line 12 of that file, written wrongly; the next ```text error says what is reported
-//   ```sh                    commands "./strobe ..." or "strobe ..."; ```sh fails: one that fails with the next ```text
-//   error
+//   ```lua passes/x.lua:12   line 12 of that file with a mistake; the next ```text error has the message
+//   ```sh                    commands "./strobe ..." or "strobe ..."; ```sh fails: a command that fails with the next
+//   ```text error
 struct Page {
   struct Mistake {
     std::string file, line, command, error;  // a file and its line, or a command

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a test program ran, line by line as it happens, in the file that STROBE_TEST_RESULTS names: a process that ends
-// early has said how far it came. A test that failed is named with the command that runs it alone.
-//   tests N                      how many are to run
+// Writes the results of a test program, a line at a time, to the file named by STROBE_TEST_RESULTS, so that a process
+// that ends early leaves its results so far. Names a failed test with the command that runs it alone.
+//   tests N                      number of selected tests
 //   passed|failed NAME SECONDS
 //   skipped NAME SECONDS REASON
 #include <fmt/format.h>

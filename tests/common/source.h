@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The folder of the sources, whose files tests read. A function, so that no other object depends on where it is.
+// The source folder, read by tests. A function, so that no other object depends on its path.
 #pragma once
 
 #include "base/files.h"

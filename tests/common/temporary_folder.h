@@ -9,7 +9,7 @@
 
 namespace strobe::testing {
 
-// A folder of its own, removed with everything in it.
+// A new folder, removed with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -27,7 +27,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// A folder of the process, removed at its end.
+// A folder of the process, removed when the process ends.
 inline std::filesystem::path processFolder() {
   static const TemporaryFolder folder;
   return folder.path();

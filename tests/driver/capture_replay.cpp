@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A Vulkan driver for tests of captures with RenderDoc: Mesa's software device that also reports the feature
-// bufferDeviceAddressCaptureReplay. Captures of it are complete, but cannot be replayed: its buffers get other
+// bufferDeviceAddressCaptureReplay. Captures are complete, but cannot be replayed: on replay, buffers get other
 // addresses.
 #include <dlfcn.h>
 

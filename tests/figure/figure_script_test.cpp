@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What scripts/strobe/figure.lua makes of a figure: fields of cells from figure, row, column and cell; mistakes, all at
-// once, each at its line.
+// Data that scripts/strobe/figure.lua makes from a figure: cells inherit fields from figure, row and column; all
+// mistakes are reported together, each at its line.
 #include <gtest/gtest.h>
 
 #include "figures.h"
@@ -8,7 +8,7 @@
 namespace strobe::figure {
 namespace figure_script_test {
 
-TEST(FigureScript, TheMoreParticularCountsAndMarksAddUp) {
+TEST(FigureScript, CellsOverrideFieldsAndAddMarks) {
   FigureData figure = figureFrom(dataOf(R"(name = "x", shot = "still", zoom = 2, arrows = { { to = { 1, 1 } } },
     rows = { { label = "near", crop = { 0, 0, 8, 8 } }, { zoom = 3 } },
     columns = { { arm = "plain", label = "Plain" }, { arm = "truth", zoom = 4, arrows = { { to = { 2, 2 } } } } },
@@ -17,10 +17,10 @@ TEST(FigureScript, TheMoreParticularCountsAndMarksAddUp) {
   EXPECT_EQ(figure.columns, (std::vector<std::string>{"Plain", "truth"}));
   EXPECT_EQ(figure.rows, (std::vector<std::string>{"near", ""}));
   EXPECT_EQ(figure.cells[0].zoom, 5) << "the cell's own";
-  EXPECT_EQ(figure.cells[0].marks.size(), 2u) << "the figure's and its own";
-  EXPECT_EQ(figure.cells[1].zoom, 4) << "the column's before the figure's";
+  EXPECT_EQ(figure.cells[0].marks.size(), 2u) << "of the figure and of the cell";
+  EXPECT_EQ(figure.cells[1].zoom, 4) << "column overrides figure";
   EXPECT_EQ(figure.cells[1].marks.size(), 2u);
-  EXPECT_EQ(figure.cells[2].zoom, 4) << "the column's before the row's";
+  EXPECT_EQ(figure.cells[2].zoom, 4) << "column overrides row";
   EXPECT_EQ(figure.cells[2].row, 1);
   EXPECT_EQ(figure.cells[2].column, 1);
   EXPECT_TRUE(figure.cells[1].crop && !figure.cells[2].crop);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures of pictures that are known: every pixel where it should be, marks where they are placed, numbers as they are
-// measured, and the same bytes whatever was drawn before and wherever it is drawn.
+// Figures of given pictures: positions of pixels and marks, measured numbers, and the same bytes in every order and on
+// every machine.
 #include <gtest/gtest.h>
 
 #include <clocale>
@@ -34,7 +34,7 @@ Colour shownAt(const Image& linear, int x, int y) {
   return colourAt(image::toneMap(image::threeChannels(linear)), x, y);
 }
 
-// Of a caption of the arm "plain".
+// The measured text of a caption in the figure of arm "plain".
 std::string captionOf(const std::string& caption) {
   FigureData figure = figureFrom(dataOf("name = 'x', shot = 'still', arm = 'plain', caption = '" + caption + "'"));
   Problems problems;
@@ -53,7 +53,7 @@ void expectError(const std::string& lua, const std::string& expected) {
   }
 }
 
-TEST(Figure, PicturesStandPixelByPixelInTheirCells) {
+TEST(Figure, PicturesAreCopiedPixelByPixelIntoTheirCells) {
   Layout layout = layoutOf(R"(name = "x", shot = "still", arm = "plain", border = 2, letters = false,
     columns = { { label = "whole" }, { label = "part", crop = { 10, 4, 8, 6 }, zoom = 5 } })");
   Image figure = pixelsOf(layout);
@@ -73,7 +73,7 @@ TEST(Figure, PicturesStandPixelByPixelInTheirCells) {
   EXPECT_EQ(levelsApart(colourAt(figure, whole.x - 3, whole.y - 3), {1, 1, 1}), 0);
 }
 
-TEST(Figure, FramesOfInsetsLieWhereTheyAreTakenFrom) {
+TEST(Figure, InsetFramesMarkTheirSource) {
   Layout layout = layoutOf(R"(name = "x", shot = "still", arm = "plain", zoom = 4,
     insets = { { crop = { 8, 4, 10, 6 }, zoom = 8, frame = "yellow", at = "below" } },
     boxes = { { area = { 30, 10, 5, 5 }, color = "#0000ff", width = 1 } })");
@@ -86,14 +86,14 @@ TEST(Figure, FramesOfInsetsLieWhereTheyAreTakenFrom) {
   EXPECT_GT(levelsApart(at(40, 24), kYellow), 5) << "inside";
   EXPECT_EQ(levelsApart(at(120, 40), {0, 0, 1}), 0);
   EXPECT_EQ(levelsApart(at(139, 59), {0, 0, 1}), 0);
-  // The inset below: the frame of its colour around it, then its pixels.
+  // The inset below the picture: its coloured frame, then its pixels.
   int top = picture.y + picture.height + 6;
   EXPECT_EQ(levelsApart(colourAt(figure, picture.x, top), kYellow), 0);
   EXPECT_EQ(levelsApart(colourAt(figure, picture.x + 2, top + 2), shownAt(colorOf("plain"), 8, 4)), 0);
   EXPECT_EQ(levelsApart(colourAt(figure, picture.x + 2 + 79, top + 2 + 47), shownAt(colorOf("plain"), 17, 9)), 0);
 }
 
-// Where two drawings differ, as a box.
+// Bounding box of the pixels that differ between two drawings.
 Rectangle changed(const Image& a, const Image& b, const Rectangle& within) {
   Rectangle box = {within.width, within.height, 0, 0};
   int right = -1, bottom = -1;
@@ -115,21 +115,21 @@ TEST(Figure, ArrowsPointAtPixelsAndAtNodes) {
   Rectangle box =
       changed(pixelsOf(layoutOf(cell + "arrows = { { to = { 20, 12 }, by = { 0, -10 } } }")), without, picture);
   EXPECT_NEAR(box.x + box.width / 2.0, 164, 1.1);
-  EXPECT_NEAR(box.y + box.height, 100, 2.5) << "with its border";
+  EXPECT_NEAR(box.y + box.height, 100, 2.5) << "including the border of the tip";
   EXPECT_NEAR(box.y, 20, 2.5);
-  // The ball is at ndc (1/2, 1/2), three quarters to the right, a quarter from above.
+  // The ball is at ndc (1/2, 1/2): three quarters of the width from the left, a quarter of the height from the top.
   box = changed(pixelsOf(layoutOf(cell + "arrows = { { on = 'ball', by = { -10, 0 } } }")), without, picture);
   EXPECT_NEAR(box.x + box.width, 0.75 * 512, 2.5);
   EXPECT_NEAR(box.y + box.height / 2.0, 0.25 * 288, 1.1);
   box = changed(pixelsOf(layoutOf(cell + "circles = { { on = 'ball', radius = 4, width = 2 } }")), without, picture);
   EXPECT_NEAR(box.x + box.width / 2.0, 0.75 * 512, 1.1);
   EXPECT_NEAR(box.width, 64 + 2 + 2, 3);
-  // What is behind the camera is not drawn.
+  // Marks at points behind the camera are not drawn.
   Image behind = pixelsOf(layoutOf(cell + "circles = { { on = 'behind', radius = 4 } }"));
   EXPECT_EQ(behind.values, without.values);
 }
 
-TEST(Figure, ARangeIsWhereAFilterSamples) {
+TEST(Figure, RangeSpansTheFiltersSamples) {
   const std::string cell = R"(name = "x", shot = "still", arm = "plain", zoom = 8, )";
   Layout bare = layoutOf(cell);
   Image without = pixelsOf(bare);
@@ -141,7 +141,7 @@ TEST(Figure, ARangeIsWhereAFilterSamples) {
     return std::pair(box.x + 3.0, box.x + box.width - 3.0);
   };
   auto [left, right] = ends(", anchor = 'end'");
-  EXPECT_NEAR(right, 8 * 32.5, 2) << "what is there now came over the pixel before";
+  EXPECT_NEAR(right, 8 * 32.5, 2) << "earlier, the surface now at x = 32 covered the pixel";
   EXPECT_NEAR(left, 8 * 20.5 - 4, 4) << "the pixel at the end";
   std::tie(left, right) = ends(", anchor = 'start'");
   EXPECT_NEAR(left, 8 * 8.5, 2);
@@ -149,7 +149,7 @@ TEST(Figure, ARangeIsWhereAFilterSamples) {
   std::tie(left, right) = ends("");
   EXPECT_NEAR(left, 8 * 14.5, 2) << "the shot's anchor: centre";
   EXPECT_NEAR(right, 8 * 26.5, 2);
-  // Along an image of half the size: (0, 16) at the texel (10, 6) of the pixel.
+  // Along a velocity image of half the size: (0, 16) at the pixel's texel (10, 6).
   Rectangle box =
       changed(pixelsOf(layoutOf(cell + "ranges = { { at = { 20, 12 }, along = 'half.speed', anchor = 'end' } }")),
               without, picture);
@@ -157,7 +157,7 @@ TEST(Figure, ARangeIsWhereAFilterSamples) {
   EXPECT_LT(box.width, 24);
 }
 
-TEST(Figure, DifferencesHaveABarThatStatesTheirScale) {
+TEST(Figure, DifferencesHaveAScaleBar) {
   FigureData figure = figureFrom(dataOf(R"(name = "x", shot = "still", arm = "plain", columns = {
     { against = "truth", gain = 4 }, { against = "truth", difference = "channels", gain = 2 },
     { against = "truth", difference = "flip" } })"));
@@ -179,7 +179,7 @@ TEST(Figure, DifferencesHaveABarThatStatesTheirScale) {
 TEST(Figure, CaptionsAreMeasured) {
   const Image &color = colorOf("plain"), &truth = colorOf("truth");
   Image inner = findTaken("still", "truth", 0).picture->frame.outputs.at("inner").floats;
-  // Where they differ it is by 1/16 in one of three channels.
+  // The images differ by 1/16 in one of three channels at 43/64 of the pixels.
   double rmse = std::sqrt(43.0 / 64 / 3) / 16;
   EXPECT_EQ(captionOf("RMSE {rmse}"), "RMSE " + page::shownError(rmse));
   EXPECT_EQ(captionOf("{rmse inner %.3f} inside"), fmt::format("{:.3f} inside", std::sqrt(0.9 / 3) / 16));
@@ -197,8 +197,8 @@ TEST(Figure, CaptionsAreMeasured) {
       "exposure 0.5, 16 samples, tile 2, 40 px, plain 0");
 }
 
-// PDF files say what is in them: texts with a font, pictures, lines; and their date is always the same.
-TEST(Figure, ThePageHasTextAndPictures) {
+// PDF files contain text with a font, pictures and lines, and always have the same date.
+TEST(Figure, PageHasTextAndPictures) {
   TemporaryFolder folder;
   Json data = dataOf(R"(name = "x", shot = "still", arm = "plain", title = "Title", width_mm = 85,
                         arrows = { { to = { 9, 9 } } })");
@@ -214,7 +214,7 @@ TEST(Figure, ThePageHasTextAndPictures) {
   EXPECT_NEAR(std::atof(page.c_str() + box + 16), 85 / 25.4 * 72, 0.01);
 }
 
-TEST(Figure, TheSameBytesWheneverAndWhereverItIsDrawn) {
+TEST(Figure, BytesDoNotDependOnOrderOrLocale) {
   TemporaryFolder folder;
   const std::string all =
       R"(name = "x", shot = "still", title = "Ranges – of all", note = "A note.", letters = true, caption = "{rmse} {arm}",
@@ -233,7 +233,7 @@ TEST(Figure, TheSameBytesWheneverAndWhereverItIsDrawn) {
   ::setenv("TZ", "Asia/Kathmandu", 1);
   ::tzset();
   std::string locale = std::setlocale(LC_ALL, nullptr);
-  bool changed = false;  // to the last of those that this machine has
+  bool changed = false;  // true if the machine has one of these locales
   for (const char* name : {"C.utf8", "ar_EG", "de_DE", "de_DE.utf8"})
     changed = std::setlocale(LC_ALL, name) != nullptr || changed;
   EXPECT_TRUE(changed);
@@ -243,13 +243,13 @@ TEST(Figure, TheSameBytesWheneverAndWhereverItIsDrawn) {
   else ::unsetenv("TZ");
   ::tzset();
   for (size_t i = 0; i < 2; ++i) EXPECT_TRUE(contentOf(first[i]) == contentOf(second[i])) << first[i];
-  // The page is a picture of the same.
+  // The page is a picture of the same figure.
   Image pixels = image::readPng(first[0]);
   EXPECT_GT(pixels.width, 2 * kWidth);
 }
 
-// Drawn at twice the size, all of it is twice as large.
-TEST(Figure, GoesWithTheSizeOfTheCapture) {
+// A figure drawn at twice the size is twice as large in all parts.
+TEST(Figure, ScalesWithTheCapture) {
   Json data = dataOf(
       R"(name = "x", shot = "still", arm = "plain", crop = { 16, 8, 16, 8 }, boxes = { { area = { 20, 10, 4, 4 }, width = 2 } })");
   Layout layout(layoutOf(figureFrom(data), findTaken, "truth"));
@@ -259,19 +259,19 @@ TEST(Figure, GoesWithTheSizeOfTheCapture) {
   data["cells"][0]["boxes"][0]["area"] = {10, 5, 2, 2};
   Layout twice(layoutOf(figureFrom(data), findTaken, "truth"));
   Rectangle one = layout.picture(0, 0), two = twice.picture(0, 0);
-  EXPECT_EQ(one.width, two.width) << "the same pixels";
-  EXPECT_EQ(two.x, 2 * one.x) << "margins as wide again";
+  EXPECT_EQ(one.width, two.width) << "the crop has the same pixels";
+  EXPECT_EQ(two.x, 2 * one.x) << "margins twice as wide";
   Image figure = pixelsOf(twice);
   EXPECT_EQ(levelsApart(colourAt(figure, two.x + 4, two.y + 2), kYellow), 0);
   EXPECT_EQ(levelsApart(colourAt(figure, two.x + 7, two.y + 5), kYellow), 0);
 }
 
-// As wide as the cells are to be, whatever the capture's size; marks and crops stay where they were.
-TEST(Figure, CellsHaveAWidthOfTheirOwn) {
+// `cell_width` sets the width of cells for any capture size; marks and crops keep their places.
+TEST(Figure, CellWidthDoesNotDependOnTheCapture) {
   Json data = dataOf(R"(name = "x", shot = "still", arm = "plain", cell_width = 100, border = 1, rows = {
     { boxes = { { area = { 20, 10, 4, 4 }, color = "#0000ff", width = 1 } } }, { crop = { 8, 4, 24, 12 } } })");
   Layout layout(layoutOf(figureFrom(data), findTaken, "truth"));
-  EXPECT_EQ(layout.picture(0, 0).width, kWidth) << "twice would be wider";
+  EXPECT_EQ(layout.picture(0, 0).width, kWidth) << "twice the width would exceed cell_width";
   EXPECT_EQ(layout.picture(1, 0).width, 4 * 24);
   Image figure = pixelsOf(layout);
   Rectangle whole = layout.picture(0, 0), crop = layout.picture(1, 0);
@@ -288,8 +288,9 @@ TEST(Figure, CellsHaveAWidthOfTheirOwn) {
   EXPECT_EQ(levelsApart(colourAt(figure, half.picture(0, 0).x + 10, half.picture(0, 0).y + 5), {0, 0, 1}), 0);
 }
 
-// Truth's inner blur is x 20 to 29, y 0 to 17: a window of its width has one place, and its middle row is the fullest.
-TEST(Figure, ACropLiesWhereMostOfARegionIs) {
+// Truth's inner blur spans x 20 to 29, y 0 to 17: a window of its width has one place, and the middle row has the most
+// pixels.
+TEST(Figure, CropHasTheMostPixelsOfARegion) {
   Layout layout = layoutOf(R"(name = "x", shot = "still", arm = "plain", zoom = 2, rows = {
     { crop = { "inner", 10, 18 } }, { boxes = { { area = { "inner", 10, 18 }, color = "#0000ff", width = 1 } } } })");
   Image figure = pixelsOf(layout);
@@ -301,7 +302,7 @@ TEST(Figure, ACropLiesWhereMostOfARegionIs) {
   expectError("name = 'x', shot = 'still', arm = 'plain', crop = { 'hidden', 4, 4 }", "has no output 'hidden'");
 }
 
-// A heading moves its row and those below it, and has the labels of the columns repeated.
+// A heading moves its row and all rows below, and repeats the column labels.
 TEST(Figure, RowsMayHaveHeadings) {
   auto figure = [](const std::string& heading) {
     return layoutOf(R"(name = "x", shot = "still", columns = { { arm = "plain" }, { arm = "truth" } },

@@ -48,12 +48,12 @@ Taken taken(const std::string& arm, int step) {
   picture.record["shot"] = {{"exposure", 0.5}, {"anchor", "centre"}, {"fps", 12}, {"set", {{"scene.pixels", 40}}}};
   picture.record["pipeline"] = {{"name", arm}, {"values", {{"samples", 16}}}, {"nodes", {{"half", {{"tile", 2}}}}}};
   picture.record["scene"]["attribution"] = {{"copyright", "A room by A. N. Other, CC BY"}};
-  picture.ndc_from_world = mat4(0);  // x and y as they are, w = -z
+  picture.ndc_from_world = mat4(0);  // keeps x and y, sets w = -z
   picture.ndc_from_world[0][0] = picture.ndc_from_world[1][1] = 1;
   picture.ndc_from_world[2][3] = -1;
   Taken made{"still", arm, step, std::make_shared<lab::Picture>(std::move(picture)), {}, {}, {}};
   made.divides = {{"half.speed", 2}};
-  // ndc (0.5, 0.5) at a distance of 2: three quarters to the right, a quarter down.
+  // ndc (0.5, 0.5) at a distance of 2: three quarters of the width from the left, a quarter of the height from the top.
   made.nodes_ws = {{"ball", {1, 1, -2}}, {"behind", {0, 0, 3}}};
   return made;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Films: the frames that figures have, the same bytes each time, and an account of what is missing.
+// Films have the frames of their figures, the same bytes each time, and errors for missing parts.
 #include "figure/film.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ bool hasFfmpeg() { return strobe::testing::runLine("ffmpeg -version >/dev/null 2
 const char* const kPair = R"(name = "pair", shot = "still", columns = { { arm = "plain" }, { arm = "truth" } },
   caption = "{rmse}, step {step}", fps = 5, )";
 
-TEST(Film, HasTheFramesOfItsFigureAndTheSameBytesEachTime) {
+TEST(Film, HasTheFramesOfItsFigureAndReproducibleBytes) {
   if (!hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
   TemporaryFolder folder;
   Json data = dataOf(kPair + std::string("format = 'mkv'"), "film");
@@ -30,7 +30,7 @@ TEST(Film, HasTheFramesOfItsFigureAndTheSameBytesEachTime) {
   for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "a"))
     EXPECT_EQ(entry.path().filename(), "pair.mkv") << "nothing else is left";
 
-  // FFV1 holds every value: what ffmpeg reads back are the pixels of the figure at each step.
+  // FFV1 is lossless: ffmpeg decodes the pixels of the figure at each step.
   std::string out = folder / "frames.rgb";
   auto outcome = strobe::testing::runLine("ffmpeg -v error -i '" + files[0].string() +
                                           "' -f rawvideo -pix_fmt rgb24 '" + out + "'");
@@ -49,7 +49,7 @@ TEST(Film, HasTheFramesOfItsFigureAndTheSameBytesEachTime) {
   EXPECT_TRUE(frames == expected);
 }
 
-TEST(Film, PlayersKnowItByDefault) {
+TEST(Film, PlayersSupportTheDefaultFormat) {
   if (!hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
   TemporaryFolder folder;
   Json data = dataOf("name = 'pair', shot = 'still', arm = 'plain'", "film");
@@ -62,7 +62,7 @@ TEST(Film, PlayersKnowItByDefault) {
       files[0].string() + "'");
   EXPECT_NE(probe.out.find("codec_name=h264"), std::string::npos) << probe.out << probe.err;
   EXPECT_NE(probe.out.find("pix_fmt=yuv420p"), std::string::npos) << probe.out;
-  EXPECT_NE(probe.out.find("r_frame_rate=12/1"), std::string::npos) << "the shot's own: " << probe.out;
+  EXPECT_NE(probe.out.find("r_frame_rate=12/1"), std::string::npos) << "the frame rate of the shot: " << probe.out;
   EXPECT_NE(probe.out.find("nb_read_frames=4"), std::string::npos) << probe.out;
   EXPECT_EQ(probe.out.find("creation_time"), std::string::npos) << probe.out;
 }
@@ -85,8 +85,8 @@ TEST(Film, WithoutFfmpegThePackageIsNamed) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "pair.mp4"));
 }
 
-// A picture that cannot be had ends the film, ffmpeg and all.
-TEST(Film, AMissingPictureEndsIt) {
+// A missing picture ends the film and the ffmpeg process.
+TEST(Film, MissingPictureEndsTheFilm) {
   if (!hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
   TemporaryFolder folder;
   Json data = dataOf("name = 'pair', shot = 'still', arm = 'plain'", "film");

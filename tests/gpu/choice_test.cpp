@@ -12,7 +12,7 @@ DeviceInfo gpu(const std::string& name, const std::string& uuid, const std::stri
   return info;
 }
 
-// A node with an integrated GPU, two GPUs in another order than on the bus, and a software device.
+// A node with an integrated GPU, two GPUs that are not in bus order, and a software device.
 std::vector<DeviceInfo> node() {
   DeviceInfo software = gpu("llvmpipe (LLVM 15)", "6d657361-3235-2e30-2e37-000000000000", "", 0x10005);
   software.software = true;
@@ -35,7 +35,7 @@ std::string refusal(const std::string& wanted, const std::optional<std::string>&
   return "";
 }
 
-TEST(DeviceChoice, ByIndexNameUuidOrPciAddress) {
+TEST(DeviceChoice, IsByIndexNameUuidOrPciAddress) {
   EXPECT_EQ(chosen(""), 0u);
   EXPECT_EQ(chosen("1"), 1u);
   EXPECT_EQ(chosen("uhd"), 1u);
@@ -48,7 +48,7 @@ TEST(DeviceChoice, ByIndexNameUuidOrPciAddress) {
             "--device '3c:00.0' matches none of 'NVIDIA L40S', 'Intel UHD', 'NVIDIA L40S', 'llvmpipe (LLVM 15)'");
 }
 
-TEST(DeviceChoice, FollowsTheVariableOfTheJob) {
+TEST(DeviceChoice, FollowsTheJobsVariable) {
   EXPECT_EQ(chosen("", "0"), 2u) << "the first on the bus";
   EXPECT_EQ(chosen("", "1,0"), 0u);
   EXPECT_EQ(chosen("", "GPU-a1000000-0000-0000-0000-00000000000a"), 2u);
@@ -58,7 +58,7 @@ TEST(DeviceChoice, FollowsTheVariableOfTheJob) {
   EXPECT_EQ(chosenDevice({node()[3]}, "", "2"), 0u) << "only a software device";
 }
 
-// Device of the machine, by its own UUID.
+// The machine's own devices, chosen by UUID.
 TEST(DeviceChoice, EveryListedDeviceHasAUuid) {
   for (const DeviceInfo& info : listDevices()) {
     ASSERT_EQ(info.uuid.size(), 36u);

@@ -15,7 +15,7 @@ DeviceInfo sufficient() {
   return info;
 }
 
-TEST(DeviceInfo, NamesWhatIsMissingAndWhatItIsFor) {
+TEST(DeviceInfo, NamesMissingFeaturesAndTheirUse) {
   EXPECT_EQ(sufficient().missing(), "");
   DeviceInfo without_layout = sufficient();
   without_layout.features[0].present = false;
@@ -25,7 +25,7 @@ TEST(DeviceInfo, NamesWhatIsMissingAndWhatItIsFor) {
   EXPECT_FALSE(sufficient().has("rays"));
 }
 
-TEST(Device, CopiesWhatItIsGivenWithoutAMessage) {
+TEST(Device, CopiesDataWithoutAValidationMessage) {
   Device device({.validation = true});
   std::vector<uint32_t> values = {1, 2, 3, 5, 8};
   Uploads uploads(device);
@@ -40,8 +40,8 @@ TEST(Device, CopiesWhatItIsGivenWithoutAMessage) {
   EXPECT_TRUE(device.takeMessages().empty());
 }
 
-// Validation that says nothing about a mistake would make every test of it worthless.
-TEST(Device, ValidationSeesAMistake) {
+// Tests rely on validation: it must report a mistake.
+TEST(Device, ValidationReportsAMistake) {
   Device device({.validation = true});
   Buffer small(device, "small", 16, 0, Buffer::Memory::Host);
   device.submit([&](VkCommandBuffer commands) {
@@ -51,7 +51,7 @@ TEST(Device, ValidationSeesAMistake) {
   EXPECT_FALSE(device.takeMessages().empty());
 }
 
-TEST(Device, UnknownNamesAreRefusedWithThoseThereAre) {
+TEST(Device, UnknownNamesAreRefusedWithAListOfDevices) {
   try {
     Device device({.device = "nonesuch"});
     FAIL();
@@ -61,8 +61,8 @@ TEST(Device, UnknownNamesAreRefusedWithThoseThereAre) {
   }
 }
 
-// The clock begins again at 0 after its last value, as often as it likes.
-TEST(TimeStamps, CountOnWhereTheClockBeginsAgain) {
+// The clock wraps to 0 after its last value, any number of times.
+TEST(TimeStamps, ContinueWhenTheClockWraps) {
   using Ticks = std::vector<uint64_t>;
   EXPECT_EQ(ticksSinceFirst({5, 9, 30}, 64), (Ticks{0, 4, 25}));
   EXPECT_EQ(ticksSinceFirst({250, 4, 2, 2}, 8), (Ticks{0, 10, 264, 264}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Devices that are lost, and work that never ends.
+// Lost devices, and work that never ends.
 #include <gtest/gtest.h>
 
 #include "gpu/commands.h"
@@ -8,21 +8,21 @@
 namespace strobe::gpu {
 namespace lost_test {
 
-// The one table through which every call goes, so that a test may take a call's place.
+// The dispatch table of all Vulkan calls, writable so that a test can replace a call.
 Dispatch& callsOf(Device& device) { return const_cast<Dispatch&>(device.vk()); }
 
 std::string lossOf(Device& device) {
   try {
     device.submit([](VkCommandBuffer) {});
   } catch (const Error& error) {
-    ADD_FAILURE() << "an error like that of a picture: " << error.what();
+    ADD_FAILURE() << "not a DeviceLost error: " << error.what();
   } catch (const DeviceLost& lost) {
     return lost.what();
   }
   return "";
 }
 
-TEST(LostDevice, IsNamedWithWhatItDrew) {
+TEST(LostDevice, IsNamedWithItsSubject) {
   Device device;
   EXPECT_EQ(lossOf(device), "");
   callsOf(device).WaitForFences = [](VkDevice, uint32_t, const VkFence*, VkBool32, uint64_t) {
@@ -32,7 +32,7 @@ TEST(LostDevice, IsNamedWithWhatItDrew) {
                                 "' was lost (waiting for the device): its driver failed or was reset");
 }
 
-TEST(LostDevice, IsFoundWhereWorkIsSubmitted) {
+TEST(LostDevice, IsDetectedOnSubmission) {
   Device device;
   device.setSubject("bar, hybrid");
   callsOf(device).QueueSubmit2 = [](VkQueue, uint32_t, const VkSubmitInfo2*, VkFence) { return VK_ERROR_DEVICE_LOST; };
@@ -45,8 +45,8 @@ VkResult timesOut(VkDevice, uint32_t, const VkFence*, VkBool32, uint64_t limit_n
   return limit_ns == UINT64_MAX ? VK_SUCCESS : VK_TIMEOUT;
 }
 
-// In every program, not only where a handler is set; a handler has the same text.
-TEST(TimeLimit, EndsTheProgramWithWhatRan) {
+// Applies to every program, with or without a handler; a handler receives the same text.
+TEST(TimeLimit, EndsTheProgramAndNamesTheWork) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   auto work = [](double limit_s, Device::OnOverrun on_overrun) {
     Device device;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks of device memory: how buffers and images share them, and errors where memory runs out.
+// Blocks of device memory: sharing by buffers and images, and errors when memory runs out.
 #include "gpu/memory.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ class BlockTest : public ::testing::Test {
   Device device_{{.validation = true}};
 };
 
-// Each of many buffers keeps its own bytes while others come and go.
+// Each of many buffers keeps its bytes while other buffers are created and destroyed.
 TEST_F(BlockTest, ManyBuffersShareFewAllocations) {
   std::mt19937 random(1);
   std::map<uint32_t, Buffer> held;
@@ -93,19 +93,19 @@ TEST_F(BlockTest, RangesAreAlignedAndBlocksReturnedWhenUnused) {
         EXPECT_TRUE(ranges[k].offset() + 100 <= ranges[i].offset() || ranges[i].offset() + 100 <= ranges[k].offset());
     }
     ranges.push_back(memory.take(large, false, "large"));
-    EXPECT_EQ(memory.allocations(), before + 2) << "a large resource has its own";
+    EXPECT_EQ(memory.allocations(), before + 2) << "a large resource has its own allocation";
     EXPECT_EQ(ranges.back().offset(), 0u);
     ranges.pop_back();
     EXPECT_EQ(memory.allocations(), before + 1);
     ranges.push_back(memory.take(small, true, "mapped"));
-    EXPECT_EQ(memory.allocations(), before + 2) << "memory of the host is apart";
+    EXPECT_EQ(memory.allocations(), before + 2) << "host memory has its own block";
     EXPECT_NE(ranges.back().mapped(), nullptr);
     EXPECT_EQ(ranges.front().mapped(), nullptr);
   }
   EXPECT_EQ(memory.allocations(), before);
 }
 
-// A device on which buffers and images must lie 64 KiB apart.
+// A device that requires buffers and images to be 64 KiB apart.
 TEST_F(BlockTest, RangesKeepTheGranularityOfTheDevice) {
   callsOf(device_).GetPhysicalDeviceProperties2 = [](VkPhysicalDevice device, VkPhysicalDeviceProperties2* result) {
     properties(device, result);
@@ -119,7 +119,7 @@ TEST_F(BlockTest, RangesKeepTheGranularityOfTheDevice) {
   EXPECT_EQ(second.offset(), 1u << 16);
 }
 
-TEST_F(BlockTest, OutOfMemoryIsSaidWithTheSizeAndARemedy) {
+TEST_F(BlockTest, OutOfMemoryNamesTheSizeAndARemedy) {
   most_bytes = 3 << 20;
   EXPECT_EQ(refusalOf(1 << 20), "") << "a smaller block is tried";
   const std::string refusal = refusalOf(6 << 20);
@@ -177,7 +177,7 @@ TEST_F(BlockTest, DescriptorsBeyondTheDeviceAreRefusedByName) {
   EXPECT_NE(refusal(15, 4, 21).find("41 descriptors, of at most 40"), std::string::npos);
 }
 
-// Sizes of levels and of buffers that no part of the staging memory divides.
+// Sizes of levels and buffers that are not multiples of the staging memory's parts.
 TEST_F(BlockTest, UploadsAreFewAndWhole) {
   static size_t submissions;
   static PFN_vkQueueSubmit2 submit;

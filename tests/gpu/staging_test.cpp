@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the host writes reaches the device in the turn of the work that reads it, however much is under way.
+// Data staged by the host reaches the device in order with the work that reads it, with any number of frames in flight.
 #include "gpu/staging.h"
 
 #include <gtest/gtest.h>
@@ -23,14 +23,14 @@ std::vector<uint32_t> wordsOf(const Buffer& buffer) {
   return words;
 }
 
-TEST(Staging, EachFrameReadsWhatWasWrittenForIt) {
+TEST(Staging, EachFrameReadsItsOwnWrites) {
   Device device({.validation = true});
   Buffer shared(device, "shared", kWords * 4, 0, Buffer::Memory::Device);
   std::vector<Frame> frames;
   for (size_t i = 0; i < kInFlight; ++i)
     frames.push_back(
         {Commands(device, "frame"), Staging(device), Buffer(device, "back", kWords * 4, 0, Buffer::Memory::Host)});
-  std::vector<uint32_t> words(kWords);  // as the device has them once all is executed
+  std::vector<uint32_t> words(kWords);  // device content after all frames so far
   std::vector<std::vector<uint32_t>> wanted;
   auto expect_first = [&] {
     Frame& frame = frames[(wanted.size() - 1) % kInFlight];
@@ -46,7 +46,7 @@ TEST(Staging, EachFrameReadsWhatWasWrittenForIt) {
       expect_first();
     }
     Frame& frame = frames[n % kInFlight];
-    // All of it at first, then every other frame one word of it.
+    // All words in the first frame, then one word in every other frame.
     const size_t first = n == 0 ? 0 : 1000 * n, count = n == 0 ? kWords : n % 2;
     for (size_t i = first; i < first + count; ++i) words[i] = n + uint32_t(i);
     frame.staging.write(shared, first, words.data() + first, count);
@@ -68,7 +68,7 @@ TEST(Staging, EachFrameReadsWhatWasWrittenForIt) {
   EXPECT_EQ(device.takeMessages(), std::vector<std::string>());
 }
 
-TEST(Staging, ForgetsWhatWasNotRecorded) {
+TEST(Staging, DropsUnrecordedWrites) {
   Device device({.validation = true});
   Buffer buffer(device, "buffer", 16, 0, Buffer::Memory::Device);
   Staging staging(device);
@@ -81,7 +81,7 @@ TEST(Staging, ForgetsWhatWasNotRecorded) {
 }
 
 // Destroying commands waits for them.
-TEST(Commands, AreWaitedForAtTheirEnd) {
+TEST(Commands, AreAwaitedOnDestruction) {
   Device device({.validation = true});
   Buffer to(device, "to", 1 << 20, 0, Buffer::Memory::Host);
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mattes by name: hashes as published with the specification, ranks against counts made by hand.
+// Mattes by name: hashes published with the specification; ranks compared with hand counts.
 #include "image/cryptomatte.h"
 
 #include <gtest/gtest.h>
@@ -30,8 +30,8 @@ float idOf(const char* name) { return std::bit_cast<float>(cryptomatteId(name));
 
 float at(const ExrPart& part, const std::string& channel, size_t pixel) { return part.find(channel)->values[pixel]; }
 
-// Of the reference implementation of MurmurHash3_x86_32 with seed 0: tails of none to three bytes.
-TEST(Cryptomatte, HashesAreThoseOfMurmurHash3) {
+// Hashes of the reference implementation of MurmurHash3_x86_32 with seed 0: tails of 0 to 3 bytes.
+TEST(Cryptomatte, HashesMatchMurmurHash3) {
   EXPECT_EQ(murmurHash3(""), 0u);
   EXPECT_EQ(murmurHash3("a"), 0x3c2569b2u);
   EXPECT_EQ(murmurHash3("ab"), 0x9bbfd75fu);
@@ -41,8 +41,8 @@ TEST(Cryptomatte, HashesAreThoseOfMurmurHash3) {
   EXPECT_EQ(murmurHash3("The quick brown fox jumps over the lazy dog"), 0x2e4ff723u);
 }
 
-// Values of the tests of Psyop's decoder.
-TEST(Cryptomatte, IdsAreThosePublished) {
+// Values from the tests of Psyop's decoder.
+TEST(Cryptomatte, IdsMatchPublishedValues) {
   EXPECT_EQ(idOf("hello"), 6.0705627102400005616e-17f);
   EXPECT_EQ(idOf("cube"), -4.08461912519e+15f);
   EXPECT_EQ(idOf("sphere"), 2.79018604383e+15f);
@@ -51,7 +51,7 @@ TEST(Cryptomatte, IdsAreThosePublished) {
   EXPECT_EQ(idOf("mädchen"), 6.2361298211599995797e+25f);
 }
 
-// One name in 128 has a hash whose exponent a float reserves: its lowest bit is turned.
+// One name in 128 has a hash with an exponent reserved for non-normal floats: the exponent's lowest bit is flipped.
 TEST(Cryptomatte, IdsAreNormalFloats) {
   int turned = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -66,7 +66,7 @@ TEST(Cryptomatte, IdsAreNormalFloats) {
   EXPECT_LT(turned, 40);
 }
 
-// Four samples of two pixels. Left: ball (as two instances) three times, floor once. Right: floor and nothing.
+// Four samples of two pixels. Left: ball (as two instances) three times, floor once. Right: floor and background.
 TEST(Cryptomatte, RanksAreSortedByCoverage) {
   IdCoverage seen;
   seen.add(ids({2, 1, 2, 1}));
@@ -89,7 +89,7 @@ TEST(Cryptomatte, RanksAreSortedByCoverage) {
     EXPECT_EQ(at(part, none, 1), 0) << none;
 }
 
-// Equal shares are sorted by id, in whatever order they were met; the seventh is left out and counted.
+// Equal shares are sorted by id in any order of samples; the seventh is left out and counted.
 TEST(Cryptomatte, SixMattesOfAPixelAreKept) {
   auto ranksOf = [](const std::vector<uint32_t>& order, size_t& crowded) {
     IdCoverage seen;
@@ -110,7 +110,7 @@ TEST(Cryptomatte, SixMattesOfAPixelAreKept) {
   EXPECT_EQ(ranksOf({10, 8, 6, 4, 9, 7, 5}, crowded), ranks);
 }
 
-TEST(Cryptomatte, TheManifestNamesEveryMatte) {
+TEST(Cryptomatte, ManifestNamesEveryMatte) {
   std::map<std::string, std::string> texts;
   addCryptomatteTexts(texts, layer());
   ASSERT_EQ(texts.size(), 4u);
@@ -120,7 +120,7 @@ TEST(Cryptomatte, TheManifestNamesEveryMatte) {
   EXPECT_EQ(texts.at(key + "conversion"), "uint32_to_float32");
   EXPECT_EQ(texts.at(key + "manifest"),
             fmt::format(R"({{"ball":"{:08x}","floor":"{:08x}"}})", cryptomatteId("ball"), cryptomatteId("floor")));
-  EXPECT_LT((key + "conversion").size(), 32u);  // what readers of OpenEXR 1 take
+  EXPECT_LT((key + "conversion").size(), 32u);  // the limit of OpenEXR 1 readers
 }
 
 }  // namespace cryptomatte_test

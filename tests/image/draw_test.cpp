@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Composing pictures: every pixel lands where it should and nothing is written outside.
+// Composing pictures: every pixel lands in its place and no pixel outside is written.
 #include "image/draw.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Draw, CropHasThePixelsOfItsArea) {
   EXPECT_EQ(part.at(1, 1, 2), whole.at(3, 4, 2));
 }
 
-TEST(Draw, CropIsCutToTheImage) {
+TEST(Draw, CropIsClippedToTheImage) {
   EXPECT_EQ(crop(numbered(9, 7), {-3, 5, 6, 9}).width, 3);
   EXPECT_EQ(crop(numbered(9, 7), {-3, 5, 6, 9}).height, 2);
   EXPECT_THROW(crop(numbered(9, 7), {20, 0, 3, 3}), Error);
@@ -76,14 +76,14 @@ TEST(Draw, TextStaysInItsBox) {
   EXPECT_EQ(textWidth("", 20), 0);
 }
 
-TEST(FalseColour, Differences) {
+TEST(FalseColour, DifferencesAreAbsolute) {
   EXPECT_EQ(absoluteDifference(one({0.5f, 0.25f, 0}), one({0.25f, 0.5f, 0}), 2).values,
             (std::vector<float>{0.5f, 0.5f, 0}));
   EXPECT_EQ(colourAt(differenceHeat(one({0.3f}), one({0.1f}), 2.5f), 0, 0), magma(0.5f));
   EXPECT_EQ(colourAt(heatMap(one({7}), 0, 7), 0, 0), magma(1));
 }
 
-TEST(FalseColour, VelocityWheel) {
+TEST(FalseColour, VelocityWheelColoursDirections) {
   auto of = [](float x, float y) { return colourAt(velocityColours(one({x, y}), 10), 0, 0); };
   EXPECT_EQ(of(0, 0), kBlack);
   EXPECT_EQ(of(10, 0), (Colour{1, 0, 0}));
@@ -105,7 +105,7 @@ TEST(FalseColour, NeighbouringIdsDiffer) {
   EXPECT_EQ(different.size(), 200u);
 }
 
-TEST(FalseColour, NearIsPaleAndNothingIsBlack) {
+TEST(FalseColour, NearDepthIsPaleAndInfinityIsBlack) {
   Image depth(3, 1, 1);
   depth.values = {1, 10, INFINITY};
   Image shown = depthColours(depth, 1, 10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of several parts: each keeps its own name, size and channels, and is found by its name or by a layer in it.
+// Files with several parts: each keeps its name, size and channels, and is found by its name or by the name of a layer.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ Image filled(int width, int height, int channels, float from) {
   return image;
 }
 
-// A picture of 20 x 12, its half, tiles larger than it, and ids.
+// A 20 x 12 picture, one of half the size, a larger tile image, and ids.
 ExrFile sample() {
   ExrFile content;
   content.name = "color";
@@ -77,12 +77,12 @@ TEST_F(ExrParts, KeepTheirNamesSizesAndValues) {
   EXPECT_EQ(read.part("normal"), nullptr);
 }
 
-TEST_F(ExrParts, BytesDependOnContentAlone) {
+TEST_F(ExrParts, BytesDependOnlyOnContent) {
   EXPECT_EQ(encodeExr(sample()), encodeExr(sample()));
   EXPECT_EQ(encodeExr(sample()).find("capDate"), std::string::npos);
 }
 
-// By the name of the part, and by the name of a layer in it; a single channel is grey.
+// Found by the part's name and by a layer's name; a single channel is grey.
 TEST_F(ExrParts, AreFoundByName) {
   ExrFile written = sample();
   written.further[1].channels[0].values.assign(33, 2.5f);
@@ -100,12 +100,12 @@ TEST_F(ExrParts, AreFoundByName) {
     EXPECT_EQ(readPicture(file_, depth).linear.values, std::vector<float>(99, 2.5f)) << depth;
     EXPECT_EQ(readExrLayer(file_, depth).name, "depth");
   }
-  EXPECT_EQ(readPicture(file_, "id").linear.at(1, 1, 2), 6);  // a channel by its name
+  EXPECT_EQ(readPicture(file_, "id").linear.at(1, 1, 2), 6);  // a channel found by its name
   EXPECT_NE(refusalOf("velocity").find("layer 'velocity'; its channels are A, B, G, R"), std::string::npos)
       << refusalOf("velocity");
 }
 
-// Any single damaged byte either is refused or gives a file of sane size; nothing crashes. So does a cut.
+// A file with one damaged byte, or cut short, is refused or gives an image of sane size; it never crashes.
 TEST_F(ExrParts, DamageNeverCrashes) {
   std::string bytes = encodeExr(sample());
   int refused = 0, tried = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data windows, display windows and chromaticities of OpenEXR files, in files of our own and of OpenImageIO.
+// Data windows, display windows and chromaticities of OpenEXR files written by Strobe and by OpenImageIO.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ ExrFile fileOf(const Image& image, int x = 0, int y = 0, int display_width = 0, 
   return content;
 }
 
-// With `border` pixels of 7 on all sides.
+// The image with a border of value 7, `border` pixels wide.
 Image bordered(const Image& image, int border) {
   Image larger(image.width + 2 * border, image.height + 2 * border, 3, 7.0f);
   for (int y = 0; y < image.height; ++y)
@@ -74,8 +74,8 @@ TEST_F(ExrWindows, OverscanIsNotCompared) {
   EXPECT_TRUE(plain.notes.empty());
 }
 
-// The mean of the squares, worked out from the pixels where they lie.
-TEST_F(ExrWindows, MovedPixelsAreComparedWhereTheyLie) {
+// Mean squared error computed from the pixels at their shifted positions.
+TEST_F(ExrWindows, MovedPixelsAreComparedAtTheirPositions) {
   const int kShift = 10;
   double sum = 0;
   for (int y = 0; y < 30; ++y)
@@ -85,10 +85,10 @@ TEST_F(ExrWindows, MovedPixelsAreComparedWhereTheyLie) {
   ComparedPicture moved = read(fileOf(image_, kShift, 0, 40, 30)), plain = plain_, none;
   EXPECT_NEAR(compared(plain_, moved)["mse"].get<double>(), sum / (40 * 30 * 3), 1e-6);
   alignPictures(plain, moved, none);
-  EXPECT_EQ(moved.notes.size(), 2u) << "pixels outside, pixels lacking";
+  EXPECT_EQ(moved.notes.size(), 2u) << "pixels outside the display window, missing pixels";
 }
 
-TEST_F(ExrWindows, APartOfThePictureIsNotStretched) {
+TEST_F(ExrWindows, PartialWindowIsNotStretched) {
   Image half(20, 30, 3);
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 20; ++x)
@@ -100,7 +100,7 @@ TEST_F(ExrWindows, APartOfThePictureIsNotStretched) {
   mask_picture.linear = mask, mask_picture.data = mask_picture.display = {0, 0, 40, 30};
   EXPECT_GT(compared(plain_, part)["mse"], 0.01);
   EXPECT_EQ(compared(plain_, part, mask_picture)["mse"], 0);
-  EXPECT_EQ(compared(part, part)["pixels"], size_t(20 * 30)) << "equal windows: all pixels there are";
+  EXPECT_EQ(compared(part, part)["pixels"], size_t(20 * 30)) << "equal windows: all pixels of the window";
   EXPECT_EQ(compared(part, part, mask_picture)["pixels"], size_t(20 * 30));
 }
 
@@ -136,8 +136,8 @@ TEST_F(ExrWindows, StatedPrimariesAreConverted) {
   EXPECT_NEAR(acescg.linear.at(15, 15, 0), 2, 1e-4) << "white stays white";
 }
 
-// Windows as another program writes them.
-TEST_F(ExrWindows, AreThoseOfOpenImageIO) {
+// Data windows written by OpenImageIO.
+TEST_F(ExrWindows, MatchOpenImageIO) {
   writeExr(folder_.path() / "a.exr", fileOf(image_));
   auto written = [&](const std::vector<std::string>& how) -> std::optional<ComparedPicture> {
     std::vector<std::string> line = {"oiiotool", folder_ / "a.exr"};

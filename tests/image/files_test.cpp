@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written is read back, byte for byte the same every time, and a damaged file is refused by name.
+// Image files round-trip, have reproducible bytes, and are refused by name if damaged.
 #include "base/files.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST_F(ImageFiles, ExrKeepsEverything) {
     ASSERT_NE(back, nullptr) << channel.name;
     EXPECT_EQ(back->kind, channel.kind) << channel.name;
     EXPECT_EQ(back->ids, channel.ids) << channel.name;
-    // A half has 11 significant bits: values in [0,1] come back within half a step, 2^-12.
+    // Half floats have 11 significant bits: values in [0,1] are rounded by at most half a step, 2^-12.
     double tolerance = channel.kind == ExrKind::half ? std::exp2(-12) : 0;
     ASSERT_EQ(back->values.size(), channel.values.size());
     for (size_t i = 0; i < channel.values.size(); ++i)
@@ -126,7 +126,7 @@ TEST_F(ImageFiles, DamagedExrIsRefused) {
   EXPECT_NE(missing.find("No such file"), std::string::npos) << missing;
 }
 
-// Any single damaged byte either is refused or gives a file of sane size; nothing crashes.
+// A file with one damaged byte is refused or gives an image of sane size; it never crashes.
 TEST_F(ImageFiles, FlippedBytesNeverCrash) {
   std::string bytes = encodeExr(sample());
   int refused = 0, tried = 0;
@@ -178,8 +178,8 @@ TEST_F(ImageFiles, DamagedPngIsRefused) {
   expectRefusal(refusal([&] { readPng(path("missing.png")); }), "missing.png");
 }
 
-// As another program reads them: near what was written, the nearer the larger.
-TEST_F(ImageFiles, JpegIsAsAnotherProgramReadsIt) {
+// JPEG files decoded by ImageMagick: error decreases and size increases with quality.
+TEST_F(ImageFiles, JpegIsDecodedByAnotherProgram) {
   for (int channels : {1, 3}) {
     Image display = ramp(64, 48, channels);
     double last = 1;
@@ -201,14 +201,14 @@ TEST_F(ImageFiles, JpegIsAsAnotherProgramReadsIt) {
   }
 }
 
-TEST(Srgb, KnownValuesAndInverse) {
+TEST(Srgb, HasKnownValuesAndAnInverse) {
   // IEC 61966-2-1: the linear segment ends at 0.0031308; 0.5 encodes to 1.055 * 0.5^(1/2.4) - 0.055.
   EXPECT_FLOAT_EQ(encodeSrgb(0.002f), 0.02584f);
   EXPECT_NEAR(encodeSrgb(0.5f), 1.055 * std::pow(0.5, 1 / 2.4) - 0.055, 1e-6);
   EXPECT_EQ(encodeSrgb(-3.0f), 0);
   EXPECT_NEAR(encodeSrgb(9.0f), 1, 1e-6);
   EXPECT_EQ(encodeSrgb(NAN), 0);
-  // Eight-bit values survive decoding and encoding.
+  // Eight-bit values are unchanged by decoding and encoding.
   for (int i = 0; i < 256; ++i) EXPECT_EQ(std::lround(encodeSrgb(decodeSrgb(i / 255.0f)) * 255), i);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FLIP against values of the published program (version 1.6) on images given by formulas, and against the result
-// nv-flip-rs publishes for its pair of photographs of a tree.
+// FLIP compared with the published program (version 1.6) on synthetic images, and with the published result of
+// nv-flip-rs for its two photographs of a tree.
 #include "image/flip.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace flip_test {
 using Rgb = std::array<float, 3>;
 using Formula = std::function<Rgb(int x, int y)>;
 
-// The published values are given to six digits and hold to this across compilers.
+// Tolerance of the published values: six digits, reproduced across compilers.
 constexpr double kTolerance = 1e-4;
 
 Image make(int width, int height, const Formula& formula) {
@@ -54,7 +54,7 @@ Image checker(int shift) {
   });
 }
 
-// Coverage of pixel `i` by the half-plane left of an edge moving from `from` to `to`, averaged over pixel and time.
+// Coverage of pixel `i` by the half-plane left of an edge that moves from `from` to `to`, averaged over pixel and time.
 double coverage(double from, double to, int i) {
   double distance = to - from;
   if (distance == 0) return std::clamp(to - i, 0.0, 1.0);
@@ -62,7 +62,7 @@ double coverage(double from, double to, int i) {
   return distance * (ramp((to - i) / distance) - ramp((to - i - 1) / distance));
 }
 
-// A bar [48,80) over a checker that has moved by `distance` pixels during the exposure.
+// A bar [48,80) over a checkerboard, blurred by a motion of `distance` pixels during the exposure.
 Image bar(double distance, float scale = 1) {
   return make(128, 64, [=](int x, int y) {
     double alpha = coverage(80 - distance, 80, x) - coverage(48 - distance, 48, x);
@@ -79,7 +79,7 @@ void expectMap(const Image& map, double mean, double largest) {
   EXPECT_NEAR(largestOf(map), largest, kTolerance);
 }
 
-// The value below which the pixels hold `fraction` of the map's sum.
+// Value below which pixels contribute `fraction` of the map's sum.
 double weightedPercentile(const Image& map, double fraction) {
   std::vector<float> values = map.values;
   std::sort(values.begin(), values.end());
@@ -193,7 +193,7 @@ TEST(HdrFlip, BlackReferenceAtGivenExposures) {
   expectMap(hdrFlip(constant(16, grey(1)), constant(16, grey(0)), Exposures{-1, 1, 2}).map, 0.965037, 0.965037);
 }
 
-// The published program finds no error in these: half of the reference is black.
+// Half of this reference is black; the published program reports no error for it.
 TEST(HdrFlip, MostlyBlackReferenceStillShowsErrors) {
   Image reference = step(32, 24), test = step(32, 16);
   HdrFlip result = hdrFlip(test, reference);

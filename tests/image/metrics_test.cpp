@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Error metrics against values worked out by hand and against scikit-image (see skimage_reference.py).
+// Error metrics compared with hand-computed values and with scikit-image (see skimage_reference.py).
 #include "image/metrics.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using namespace strobe::image;
 
 namespace metrics_test {
 
-// The same values on every machine: a 32-bit linear congruential generator.
+// The same noise on every machine: a 32-bit linear congruential generator.
 struct Noise {
   uint32_t state = 5;
   float next() {
@@ -34,7 +34,7 @@ struct Noise {
   }
 };
 
-// Display values of 8 bits: soft shapes, with `noise` added.
+// 8-bit display values: soft shapes with added `noise`.
 Image pattern(int width, int height, float noise) {
   Noise random;
   Image display(width, height, 3);
@@ -54,14 +54,14 @@ Image pixels(std::vector<float> values) {
   return image;
 }
 
-// What a line of the shell prints, or nothing when it fails.
+// Output of a shell command; empty if it fails.
 std::optional<std::string> outputOf(const std::string& line) {
   ProgramEnd end = run({.arguments = {"sh", "-c", line}});
   if (!end.succeeded()) return std::nullopt;
   return end.output;
 }
 
-// The answer of skimage_reference.py, from the first Python that has what it needs.
+// Result of skimage_reference.py, run with the first Python that has the modules.
 std::optional<Json> fromPython(const std::string& arguments) {
   Path script = sourceFolder() / "tests/image/skimage_reference.py";
   for (const char* python : {"python3", "/usr/bin/python3"})
@@ -69,7 +69,7 @@ std::optional<Json> fromPython(const std::string& arguments) {
   return std::nullopt;
 }
 
-TEST(Metrics, HandWorkedValues) {
+TEST(Metrics, MatchHandComputedValues) {
   Image test = pixels({0.5f, 0.25f, 0}), reference = pixels({0.25f, 0.25f, 0.5f});
   EXPECT_DOUBLE_EQ(meanSquaredError(test, reference), (0.0625 + 0.25) / 3);
   EXPECT_DOUBLE_EQ(rootMeanSquaredError(test, reference), std::sqrt((0.0625 + 0.25) / 3));
@@ -78,7 +78,7 @@ TEST(Metrics, HandWorkedValues) {
   EXPECT_EQ(smape(pixels({0}), pixels({0})), 0);
 }
 
-TEST(Metrics, EqualImages) {
+TEST(Metrics, OfEqualImagesAreExact) {
   Image image = pattern(40, 30, 0.1f);
   EXPECT_EQ(meanSquaredError(image, image), 0);
   EXPECT_EQ(psnr(image, image), INFINITY);
@@ -87,15 +87,15 @@ TEST(Metrics, EqualImages) {
   EXPECT_EQ(temporalError(image, image, image, image), 0);
 }
 
-TEST(Metrics, PsnrOfAKnownError) {
-  // Encoded values 0.1 apart: MSE 0.01, 20 dB. Decoding and encoding in float costs about 1e-6 of the value.
+TEST(Metrics, PsnrMatchesAKnownError) {
+  // Encoded values differ by 0.1: MSE 0.01, 20 dB. Decoding and encoding in float has a relative error of 1e-6.
   Image test(8, 8, 3, decodeSrgb(0.6f)), reference(8, 8, 3, decodeSrgb(0.5f));
   EXPECT_NEAR(psnr(test, reference), 20, 1e-4);
   Image bright(8, 8, 3, 50.0f), white(8, 8, 3, 1.0f);
   EXPECT_EQ(psnr(bright, white), INFINITY);
 }
 
-TEST(Metrics, OneFireflyIsTrimmed) {
+TEST(Metrics, TrimmedMeanIgnoresOneFirefly) {
   Image reference(50, 40, 3), test = reference;
   test.at(7, 7, 0) = 1000;
   EXPECT_GT(relativeMse(test, reference), 1000);
@@ -124,20 +124,20 @@ TEST(Metrics, AlphaIsNotCompared) {
   EXPECT_DOUBLE_EQ(*ssim(a, b), 1);
 }
 
-TEST(Metrics, WindowsNeedRoom) {
+TEST(Metrics, SsimNeedsAFullWindow) {
   EXPECT_FALSE(ssim(Image(10, 40, 3), Image(10, 40, 3)));
   EXPECT_TRUE(ssim(Image(11, 11, 3), Image(11, 11, 3)));
   EXPECT_FALSE(multiScaleSsim(Image(175, 200, 3), Image(175, 200, 3)));
   EXPECT_NEAR(*multiScaleSsim(Image(176, 176, 3), Image(176, 176, 3)), 1, 1e-12);
 }
 
-TEST(Metrics, FlickerIsWhatTheReferenceDoesNotDo) {
+TEST(Metrics, FlickerIsChangeThatTheReferenceLacks) {
   Image dark(4, 4, 1, 0.25f), bright(4, 4, 1, 0.75f);
   EXPECT_DOUBLE_EQ(temporalError(dark, bright, dark, dark), 0.5);
   EXPECT_DOUBLE_EQ(temporalError(dark, bright, dark, bright), 0);
 }
 
-TEST(AgainstScikitImage, PsnrAndSsim) {
+TEST(AgainstScikitImage, PsnrAndSsimMatch) {
   const strobe::testing::TemporaryFolder folder;
   Image reference = pattern(200, 180, 0), test = pattern(200, 180, 0.25f);
   writePng(folder.path() / "reference.png", reference);
@@ -145,14 +145,14 @@ TEST(AgainstScikitImage, PsnrAndSsim) {
   auto expected = fromPython(fmt::format("png '{0}/test.png' '{0}/reference.png'", folder.path().string()));
   if (!expected) GTEST_SKIP() << "no Python with scikit-image, imageio and OpenImageIO (python3-skimage)";
   Image x = decodeSrgb(test), r = decodeSrgb(reference);
-  // The values went through decoding and encoding in float: 1e-6 each, far less in the means.
+  // Decoding and encoding in float has an error of 1e-6 per value, and far less in means.
   EXPECT_NEAR(psnr(x, r), (*expected)["psnr"].get<double>(), 1e-4);
   EXPECT_NEAR(*ssim(x, r), (*expected)["ssim"].get<double>(), 1e-6);
   EXPECT_NEAR(*multiScaleSsim(x, r), (*expected)["ms_ssim"].get<double>(), 1e-6);
   EXPECT_LT(psnr(x, r), 40);
 }
 
-// OpenImageIO shares no code of ours that writes the file, and names attributes by the standard.
+// OpenImageIO shares no code with Strobe's writer and names attributes by the standard.
 TEST(AgainstOpenImageIo, ExrIsReadAsWritten) {
   const strobe::testing::TemporaryFolder folder;
   ExrFile content;
@@ -174,14 +174,14 @@ TEST(AgainstOpenImageIo, ExrIsReadAsWritten) {
   EXPECT_EQ((*found)["formats"]["velocity.X"], "float");
   EXPECT_FLOAT_EQ((*found)["sums"]["G"].get<float>(), 0.7f);
   EXPECT_EQ((*found)["sums"]["velocity.Y"], -17.25);
-  EXPECT_NEAR((*found)["sums"]["id"].get<double>(), 20 * 77, 1e-3);  // went through float
+  EXPECT_NEAR((*found)["sums"]["id"].get<double>(), 20 * 77, 1e-3);  // converted to float
   EXPECT_EQ((*found)["run"], "text");
   // Row vectors: the translation is the last row.
   EXPECT_EQ((*found)["worldtocamera"],
             Json({1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0, 3.0, 1.0}));
 }
 
-TEST(ImageComparison, FilesAreKnownByContent) {
+TEST(ImageComparison, FilesAreIdentifiedByContent) {
   const strobe::testing::TemporaryFolder folder;
   Image display = pattern(32, 24, 0);
   writePng(folder.path() / "picture.exr", display);
@@ -205,7 +205,7 @@ TEST(ImageComparison, RefusesAnEmptyMask) {
   EXPECT_THROW(compareImages(Image(4, 4, 3), Image(4, 4, 3), Image(4, 4, 1)), Error);
 }
 
-TEST(ImageComparison, JsonOfEqualImages) {
+TEST(ImageComparison, HasJsonForEqualImages) {
   Image image(16, 16, 3, 0.5f);
   CompareOptions ldr;
   ldr.hdr = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colour of PNG files: depth, gamma, primaries and profiles, from files written here byte by byte.
+// Colour of PNG files: bit depth, gamma, primaries and profiles, with files written byte by byte.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -31,7 +31,7 @@ std::string chunk(const std::string& type, const std::string& data) {
   return bigEndian(uint32_t(data.size())) + type + data + bigEndian(crcOf(type + data));
 }
 
-// One stored block of deflate, in zlib's frame.
+// One stored deflate block in a zlib container.
 std::string zlib(const std::string& bytes) {
   uint32_t a = 1, b = 0;
   for (unsigned char byte : bytes) a = (a + byte) % 65521, b = (b + a) % 65521;
@@ -43,7 +43,7 @@ std::string zlib(const std::string& bytes) {
 
 using Levels = std::vector<std::array<int, 3>>;
 
-// A row of RGB pixels of 8 or 16 bits, with `chunks` before them.
+// PNG file with one row of RGB pixels, 8 or 16 bits, preceded by `chunks`.
 std::string png(int bits, const Levels& levels, const std::string& chunks = "") {
   std::string row(1, '\0');
   for (const auto& pixel : levels)
@@ -80,7 +80,7 @@ ComparedPicture read(const std::string& bytes) {
 
 std::string notesOf(const ComparedPicture& picture) { return fmt::format("{}", fmt::join(picture.notes, "; ")); }
 
-TEST(PngColour, IsTheSameInEveryDepth) {
+TEST(PngColour, DoesNotDependOnBitDepth) {
   Levels eight, sixteen;
   for (int level = 0; level < 256; ++level) {
     eight.push_back({level, 255 - level, 7});
@@ -98,8 +98,8 @@ TEST(PngColour, SixteenBitsAreNotRoundedToEight) {
   EXPECT_NE(picture.linear.at(0, 0, 0), picture.linear.at(1, 0, 0));
 }
 
-// gAMA of 1/2.2 and cHRM of Rec. 709 are what files of sRGB values have for old programs.
-TEST(PngColour, StatedAsSrgbNeedsNoWord) {
+// sRGB files carry gAMA of 1/2.2 and cHRM of Rec. 709 for old programs.
+TEST(PngColour, StatedSrgbNeedsNoNote) {
   std::string srgb = chunk("sRGB", std::string(1, '\0'));
   for (const std::string& chunks : {srgb, gamma(45455), gamma(45455) + chromaticities(kSrgb) + srgb,
                                     chunk("cICP", {1, 13, 0, 1}), chromaticities(kSrgb)}) {
@@ -109,7 +109,7 @@ TEST(PngColour, StatedAsSrgbNeedsNoWord) {
   }
 }
 
-TEST(PngColour, FollowsAGamma) {
+TEST(PngColour, AppliesTheGamma) {
   for (int bits : {8, 16}) {
     int half = bits == 8 ? 128 : 128 * 257;
     ComparedPicture linear = read(png(bits, grey({half}), gamma(100000)));
@@ -119,7 +119,7 @@ TEST(PngColour, FollowsAGamma) {
   }
 }
 
-// The columns of CSS Color 4's matrix from linear Display P3 to linear sRGB.
+// Columns of CSS Color 4's matrix from linear Display P3 to linear sRGB.
 TEST(PngColour, ConvertsPrimaries) {
   ComparedPicture picture = read(png(8, {{255, 0, 0}, {0, 255, 0}, {255, 255, 255}}, chromaticities(kDisplayP3)));
   const float kRed[] = {1.2249402f, -0.0420570f, -0.0196376f}, kGreen[] = {-0.2249402f, 1.0420570f, -0.0786360f};
@@ -139,15 +139,15 @@ TEST(PngColour, UnusedProfilesAreNamed) {
   EXPECT_EQ(pq, "its cICP chunk (9 16 0 1) is not used: only sRGB (1 13 0 1) is supported");
 }
 
-// A header alone must not take memory.
-TEST(PngColour, RefusesASizeThatItsBytesCannotHold) {
+// The size in a header is not allocated without data.
+TEST(PngColour, RefusesASizeBeyondItsBytes) {
   std::string head = bigEndian(60000) + bigEndian(60000) + std::string{16, 6, 0, 0, 0};
   std::string bytes = "\x89PNG\r\n\x1a\n" + chunk("IHDR", head) + chunk("IDAT", zlib("x")) + chunk("IEND", "");
   EXPECT_THROW(read(bytes), Error);
 }
 
-// ACEScg to Rec. 709 with Bradford's adaptation, as in the documents of ACES.
-TEST(Primaries, OfAcescgBecomeRec709) {
+// ACEScg to Rec. 709 with Bradford adaptation, from the ACES documents.
+TEST(Primaries, OfAcescgAreConvertedToRec709) {
   const Primaries acescg{{0.713, 0.293}, {0.165, 0.83}, {0.128, 0.044}, {0.32168, 0.33767}};
   const double kWanted[3][3] = {
       {1.70505, -0.62179, -0.08326}, {-0.13026, 1.14080, -0.01055}, {-0.02400, -0.12897, 1.15297}};
@@ -157,7 +157,7 @@ TEST(Primaries, OfAcescgBecomeRec709) {
       EXPECT_NEAR(found[column][row], kWanted[row][column], 2e-4) << row << column;
 }
 
-TEST(Primaries, ThatSpanNothingAreNotUsed) {
+TEST(Primaries, OnALineAreNotUsed) {
   Primaries line{{0.2, 0.2}, {0.3, 0.3}, {0.4, 0.4}, {0.3127, 0.329}};
   Image colour(1, 1, 3, 0.5f);
   EXPECT_NE(convertStated(colour, line).find("are not used"), std::string::npos);

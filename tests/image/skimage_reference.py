@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Independent answers for metrics_test.cpp, printed as JSON.
+"""Independent results for metrics_test.cpp, printed as JSON.
 
 png TEST REFERENCE   PSNR and SSIM by scikit-image of two 8-bit PNG files, values / 255; MS-SSIM from SciPy filters
-exr FILE             what OpenImageIO finds in an OpenEXR file
+exr FILE             content of an OpenEXR file read by OpenImageIO
 """
 import json
 import sys
@@ -50,7 +50,7 @@ def exr(name):
     formats = spec.channelformats or [spec.format] * len(names)
     values = numpy.asarray(source.read_image(OpenImageIO.FLOAT)).reshape(spec.height, spec.width, len(names))
     raw = {n: str(f) for n, f in zip(names, formats)}
-    # Integers read as float are scaled to [0,1] of their range.
+    # OpenImageIO scales integers that are read as float to [0,1].
     scale = {n: 2.0**32 - 1 if raw[n].startswith("uint") else 1.0 for n in names}
     sums = {n: float(values[..., c].astype(numpy.float64).sum() * scale[n]) for c, n in enumerate(names)}
     return {

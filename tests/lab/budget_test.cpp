@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search for the highest value within a budget, on costs with a closed form.
+// The search for the highest value within a time budget, with given cost functions.
 #include "lab/budget.h"
 
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@ namespace budget_test {
 
 using Cost = std::function<double(double value)>;  // milliseconds of a frame
 
-// From 10 to 320 ms: doubles with each fifth of the range.
+// Cost from 10 to 320 ms; doubles with each fifth of the range.
 double doubling(double value) { return 10 * std::exp2(5 * value); }
 
-// The highest of the values whose cost is at most `budget_ms`, for costs that rise; the lowest value without any.
+// Highest value with a cost of at most `budget_ms`, for increasing costs; the lowest value if all cost more.
 double highestWithin(double budget_ms, const Cost& cost) {
   for (int step = Budget::kSteps; step > 0; --step)
     if (cost(step / 20.0) <= budget_ms) return step / 20.0;
@@ -30,8 +30,8 @@ class Frames {
  public:
   explicit Frames(double noise = 0) : noise_(noise) {}
 
-  // Draws frames; returns the number of changes of the value. `spoilt`: the first frame of each value takes this many
-  // times as long.
+  // Draws frames; returns the number of changes of the value. The first frame of each value costs `spoilt` times as
+  // much.
   int draw(Budget& budget, int count, const Cost& cost, double spoilt = 3) {
     int changes = 0;
     for (int i = 0; i < count; ++i) {
@@ -40,7 +40,7 @@ class Frames {
       const double before = budget.value();
       const bool changed = budget.add(factor * cost(budget.value()));
       EXPECT_EQ(changed, before != budget.value());
-      EXPECT_LE(std::abs(budget.value() - before), 0.25 + 1e-9) << "a bounded change";
+      EXPECT_LE(std::abs(budget.value() - before), 0.25 + 1e-9) << "the change per frame is bounded";
       EXPECT_GE(budget.value(), 0);
       EXPECT_LE(budget.value(), 1);
       changes += changed, is_new_ = changed;
@@ -55,10 +55,10 @@ class Frames {
   std::normal_distribution<double> normal_;
 };
 
-constexpr int kSearch = 45;  // frames that a search may take
-constexpr int kLong = 2000;  // frames in which nothing changes any more
+constexpr int kSearch = 45;  // upper bound on the frames of a search
+constexpr int kLong = 2000;  // frames after the search, without a change
 
-// Exact costs: the value is the highest within the budget, or its cost is so near to the budget that it stays.
+// With exact costs, the value is the highest within the budget, or its cost is close enough to the budget to stay.
 void expectBest(const Budget& budget, const Cost& cost) {
   const double best = highestWithin(budget.ms(), cost);
   const bool is_near = cost(budget.value()) >= Budget::kSpare * budget.ms() && cost(budget.value()) <= budget.ms();
@@ -78,7 +78,7 @@ TEST(Budget, FindsTheHighestValueWithinIt) {
     }
 }
 
-// With noise the value may end a step too low, because a median above the budget counts; it does not swing.
+// With noise the value may end a step too low, because a median above the budget counts; it does not oscillate.
 TEST(Budget, DoesNotOscillateUnderNoise) {
   for (double noise : {0.03, 0.1, 0.2})
     for (double ms : {15.0, 33.0, 60.0, 100.0, 200.0}) {
@@ -93,7 +93,7 @@ TEST(Budget, DoesNotOscillateUnderNoise) {
     }
 }
 
-TEST(Budget, StopsBelowAStep) {
+TEST(Budget, StopsBelowAJumpInCost) {
   auto steps = [](double value) { return value < 0.05 ? 1.0 : value < 0.5 ? 20.0 : value < 0.75 ? 40.0 : 500.0; };
   for (const auto& [ms, expected] : {std::pair(30.0, 0.45), std::pair(100.0, 0.7), std::pair(10.0, 0.0)}) {
     Budget budget(ms, 0, 1, 0.4);
@@ -117,7 +117,7 @@ TEST(Budget, FollowsAChangeOfTheScene) {
   }
 }
 
-// A cost that grows little by little, as of an animation.
+// A cost that increases gradually, as in an animation.
 TEST(Budget, FollowsADrift) {
   Budget budget(60, 0, 1, 0.4);
   Frames frames(0.03);
@@ -135,7 +135,7 @@ TEST(Budget, FollowsADrift) {
   }
 }
 
-TEST(Budget, ACostThatDoesNotDependOnTheValue) {
+TEST(Budget, EndsIfCostDoesNotDependOnTheValue) {
   Budget cheap(60, 0, 1, 0.4), dear(5, 0, 1, 0.4);
   Frames frames(0.1);
   auto constant = [](double) { return 20.0; };
@@ -147,7 +147,7 @@ TEST(Budget, ACostThatDoesNotDependOnTheValue) {
   EXPECT_EQ(frames.draw(cheap, kLong, constant) + frames.draw(dear, kLong, constant), 0);
 }
 
-TEST(Budget, ASlowFrameOrAnUnknownTimeChangesNothing) {
+TEST(Budget, IgnoresOneSlowFrameAndUnknownTimes) {
   Budget budget(60, 0, 1, 0.4);
   Frames frames;
   frames.draw(budget, kSearch, doubling);
@@ -156,7 +156,7 @@ TEST(Budget, ASlowFrameOrAnUnknownTimeChangesNothing) {
     for (int i = 0; i < 5; ++i) EXPECT_FALSE(budget.add(i == 0 ? ms : doubling(value)));
 }
 
-// Costs in any order: the search ends, at a value within the budget or at the lowest one.
+// Costs in any order: the search ends at a value within the budget or at the lowest value.
 TEST(Budget, EndsOnAnyCosts) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> exponent(0, 5);
@@ -173,14 +173,14 @@ TEST(Budget, EndsOnAnyCosts) {
 }
 
 TEST(Budget, ValuesAreShortAndInRange) {
-  EXPECT_EQ(Budget(1, 0, 1, 0.33).value(), 0.35) << "the next of twenty steps";
+  EXPECT_EQ(Budget(1, 0, 1, 0.33).value(), 0.35) << "rounded to the next of twenty steps";
   EXPECT_EQ(Budget(1, 0, 1, 0.15).value(), 0.15);
   EXPECT_EQ(Budget(1, -2, 1e6, 7).value(), -2);
   EXPECT_EQ(Budget(1, 3, 3, 3).value(), 3);
   EXPECT_EQ(Budget(1, 0, 0.3, 9).value(), 0.3);
 }
 
-TEST(Budget, IsOfAParameterWithTheRole) {
+TEST(Budget, UsesTheParameterWithTheRole) {
   plan::PipelineDesc pipeline;
   pipeline.name = "p";
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a picture stands in an OpenEXR file: every layer, as it was on the device.
+// Layers of a picture in an OpenEXR file have the device's values.
 #include "lab/capture.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace capture_test {
 
 class CaptureTest : public oracle::RenderTest {
  protected:
-  // With every port of the plan tapped.
+  // The picture with every port of the plan tapped.
   static Picture everything(const Shot& shot) {
     Session session(bench(), shot);
     session.tap(session.ports());
@@ -29,7 +29,7 @@ class CaptureTest : public oracle::RenderTest {
   }
 };
 
-// By way of a file.
+// The file after writing and reading.
 image::ExrFile readBack(const image::ExrFile& written) {
   const Path file = strobe::testing::processFolder() / "capture.exr";
   image::writeExr(file, written);
@@ -46,8 +46,8 @@ std::set<std::string> channelsOf(const image::ExrPart& part) {
   return names;
 }
 
-// Formats of all kinds and sizes: half floats, bytes, tiles, integers.
-TEST_F(CaptureTest, EveryTapComesBackBitForBit) {
+// Formats of all kinds and sizes: half floats, bytes, tile images, integers.
+TEST_F(CaptureTest, TapsRoundTripBitForBit) {
   for (const char* pipeline : {"hybrid", "hybrid_layered"}) {
     Picture picture = everything(crowd(pipeline, {"velocity_format=fp16"}));
     image::ExrFile written = exrOf(picture, {.multipart = true});
@@ -104,7 +104,7 @@ TEST_F(CaptureTest, PartsKeepImagesOfAnotherSize) {
   EXPECT_THROW(imagesOf(single, "single.exr"), Error);
 }
 
-// The largest half float is 65504 (IEEE 754 binary16); infinite depth is a half too.
+// The largest half float is 65504 (IEEE 754 binary16); infinite depth is also stored as a half.
 TEST_F(CaptureTest, HalvesAreClampedAndCounted) {
   Picture picture = render(crowd("none"));
   auto& colour = picture.frame.outputs.at("color").floats;
@@ -129,7 +129,7 @@ TEST_F(CaptureTest, HalvesAreClampedAndCounted) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-TEST_F(CaptureTest, LayersCanBeChosen) {
+TEST_F(CaptureTest, LayersAreSelectable) {
   Picture picture = render(crowd("none"));
   EXPECT_EQ(channelsOf(exrOf(picture, {.layers = {"depth"}})), (std::set<std::string>{"A", "B", "G", "R", "Z"}));
   image::ExrFile several = exrOf(picture, {.multipart = true, .layers = {"velocity"}});
@@ -156,9 +156,9 @@ TEST_F(CaptureTest, IdsHaveNames) {
     for (int x = 0; x < ids.width; ++x) EXPECT_LE(ids.at(x, y, 0), last);
 }
 
-// A bar with vertical edges, so that where a sample lies along y does not matter. The samples of a pixel along x are
-// the pixel centres of a picture that is as many times as wide.
-TEST_F(CaptureTest, MattesAreTheSharesOfSamples) {
+// A bar with vertical edges: a sample's y does not matter. The samples of a pixel along x are the pixel centres of a
+// wider picture.
+TEST_F(CaptureTest, MattesAreSampleShares) {
   constexpr int kSamples = 4;
   auto bar = [](int scale) {
     return oracle::with(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory of a frame, summed before any of it is allocated.
+// Memory of a frame, summed before the first allocation.
 #include <gtest/gtest.h>
 
 #include "common/home.h"
@@ -34,18 +34,18 @@ class FrameMemory : public ::testing::Test {
   }
 
   Workbench bench_;
-  // One quad: nearly all memory is the frame's.
+  // The scene is one quad: the frame takes nearly all memory.
   Shot shot_ = oracle::with(oracle::shotOf("half_plane", 640, 360, {{"edge", 320}, {"d_f", 20}}), "mcguire2012");
 };
 
-// What is summed is what is allocated, with some room for padding, buffers of parameters and uploads.
-TEST_F(FrameMemory, IsWhatIsAllocated) {
+// The sum matches the allocated bytes, with some room for padding, parameter buffers and uploads.
+TEST_F(FrameMemory, MatchesTheAllocations) {
   const graph::ImageBytes bytes = bytesOf(shot_);
   allocated = 0;
   bench_.render(shot_);
   EXPECT_GT(allocated, bytes.on_device + bytes.read_back);
   EXPECT_LT(double(allocated), 1.1 * double(bytes.on_device + bytes.read_back) + 24e6);
-  EXPECT_GT(bytes.pictures, 640u * 360 * 4 * sizeof(float)) << "more than the colour";
+  EXPECT_GT(bytes.pictures, 640u * 360 * 4 * sizeof(float)) << "more than the colour image";
 }
 
 TEST_F(FrameMemory, IsRefusedBeforeTheFirstAllocation) {

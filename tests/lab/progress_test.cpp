@@ -9,7 +9,7 @@ namespace progress_test {
 
 class FrameProgress : public oracle::RenderTest {
  protected:
-  // Reported (done, of) of a shot's picture, and the iterations of its loops.
+  // Reported (done, of) for a shot's picture, and the number of its loops.
   std::vector<std::pair<int, int>> reported;
   size_t loops = 0;
 
@@ -31,11 +31,11 @@ class FrameProgress : public oracle::RenderTest {
   }
 };
 
-// Truth: a loop of first samples, then one of the others.
-TEST_F(FrameProgress, OfTruthCountsSamplesOfOneTotal) {
+// Truth has a loop of first samples and a loop of the remaining samples.
+TEST_F(FrameProgress, TruthCountsItsSamplesToOneTotal) {
   Shot shot = oracle::shotOf("half_plane", 48, 4, {{"edge", 24}, {"d_f", 20}});
   draw(oracle::with(shot, "ground_truth", {"samples=256"}));
-  EXPECT_GT(loops, 1u) << "or there is nothing to add up";
+  EXPECT_GT(loops, 1u) << "the test needs several loops";
   expectOneTotal(256);
   shot.aa = 2;
   draw(oracle::with(shot, "ground_truth", {"samples=64", "mode=rays"}));

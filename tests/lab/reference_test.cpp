@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference pages: those in the tree are those the declarations make, and no alternative leaves out where it fails.
+// Reference pages in the tree match the declarations, and every alternative states its failures.
 #include "lab/reference.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::set<std::string> filesBelow(const Path& folder) {
   return files;
 }
 
-TEST(ReferencePages, InTheTreeAreUpToDate) {
+TEST(ReferencePages, AreUpToDate) {
   Path folder = home().shipped() / "docs/reference";
   std::set<std::string> committed = filesBelow(folder), current;
   std::vector<std::string> differ;
@@ -37,7 +37,7 @@ TEST(ReferencePages, InTheTreeAreUpToDate) {
                               << "\nregenerate with: strobe help --write docs/reference";
 }
 
-// Every link of a page leads to a page.
+// Every link of a page leads to another page.
 TEST(ReferencePages, LinksLeadToPages) {
   std::vector<ReferencePage> pages = referencePages(home());
   std::set<std::string> known;
@@ -50,7 +50,7 @@ TEST(ReferencePages, LinksLeadToPages) {
     }
 }
 
-// --- What alternatives must say
+// --- Descriptions of alternatives
 
 const std::set<std::string> kFamilies = {"edge", "mask", "gather", "composite"};
 
@@ -59,8 +59,8 @@ bool isAlternative(const plan::PassDesc& pass) {
   return kFamilies.count(file.parent_path().filename()) || file == "passes/hybrid/ray_reveal.lua";
 }
 
-// Each choice is described, unless the choices are files of the folder of passes that is called like the parameter
-// (their pages serve).
+// Choices without a description. Choices that are files of the passes folder named like the parameter need none: their
+// pages describe them.
 std::vector<std::string> undescribed(const std::string& owner, const std::vector<plan::ParamDesc>& params) {
   std::vector<std::string> missing;
   for (const plan::ParamDesc& param : params) {
@@ -75,7 +75,7 @@ std::vector<std::string> undescribed(const std::string& owner, const std::vector
   return missing;
 }
 
-TEST(Alternatives, EachPassSaysWhereItFails) {
+TEST(Alternatives, EachPassStatesItsFailures) {
   int alternatives = 0;
   for (const plan::PassDesc& pass : script::evaluateAllPasses(home())) {
     alternatives += isAlternative(pass);

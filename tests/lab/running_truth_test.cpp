@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Truth in steps against truth at once.
+// Truth in steps compared with truth in one run.
 #include "lab/running_truth.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace running_truth_test {
 
 class RunningTruthTest : public oracle::RenderTest {
  protected:
-  // An edge that moves by 20 px over the exposure, in the middle of 48 px.
+  // An edge that moves by 20 px over the exposure, in the middle of a width of 48 px.
   static Shot shot() { return oracle::shotOf("half_plane", 48, 4, {{"edge", 24}, {"d_f", 20}}); }
 
   static void take(RunningTruth& truth, int steps) {
@@ -25,9 +25,9 @@ class RunningTruthTest : public oracle::RenderTest {
   }
 };
 
-// The error against 512 samples at once (whose own is 1/512 at most) is what the spread of the steps says: neither
-// more than three times as large nor, or the statement were worthless, more than three times smaller.
-TEST_F(RunningTruthTest, ErrorIsAsStated) {
+// The standard error estimated from the steps is within a factor of 3 of the error against 512 samples in one run
+// (whose own error is at most 1/512).
+TEST_F(RunningTruthTest, ErrorMatchesItsEstimate) {
   image::Image reference =
       lab::colorOf(render(oracle::with(shot(), "ground_truth", {"samples=512", "mark_regions=false"})));
   RunningTruth truth(bench(), "ground_truth", {4, 4});
@@ -45,7 +45,7 @@ TEST_F(RunningTruthTest, ErrorIsAsStated) {
   EXPECT_EQ(truth.samples(), 96);
 }
 
-// A step has as many samples as all before it, up to the most: spread over more strata they err less.
+// A step has as many samples as all steps before it, up to a maximum: samples over more strata have a smaller error.
 TEST_F(RunningTruthTest, StepsGrow) {
   const double always = std::numeric_limits<double>::infinity();
   image::Image reference =
@@ -66,16 +66,16 @@ TEST_F(RunningTruthTest, StepsGrow) {
   EXPECT_LE(error, 3 * growing.standardError());
   growing.restart(shot());
   take(growing, 1);
-  EXPECT_EQ(growing.samples(), 2) << "small again";
+  EXPECT_EQ(growing.samples(), 2) << "the first step is small again";
 
   RunningTruth slow(bench(), "ground_truth", {2, 16, 0});
   slow.restart(shot());
   take(slow, 4);
-  EXPECT_EQ(slow.samples(), 8) << "each step takes longer than none";
+  EXPECT_EQ(slow.samples(), 8) << "with a limit of 0 s, steps do not grow";
 }
 
-// Between two samples of a step: what was taken of it is dropped, the rest is as if it had never begun.
-TEST_F(RunningTruthTest, AStepIsInterruptedBetweenSamples) {
+// A step interrupted between two samples is dropped without an effect on the other steps.
+TEST_F(RunningTruthTest, StepsAreInterruptedBetweenSamples) {
   RunningTruth truth(bench(), "ground_truth", {8, 8}), undisturbed(bench(), "ground_truth", {4, 4});
   truth.restart(shot());
   undisturbed.restart(shot());
@@ -87,23 +87,23 @@ TEST_F(RunningTruthTest, AStepIsInterruptedBetweenSamples) {
   EXPECT_TRUE(truth.mean().empty());
   take(truth, 1);
   take(undisturbed, 1);
-  EXPECT_EQ(truth.samples(), 4) << "half as many";
+  EXPECT_EQ(truth.samples(), 4) << "half of the first step";
   EXPECT_TRUE(oracle::identical(truth.mean(), undisturbed.mean()));
   take(truth, 1);
   EXPECT_EQ(truth.samples(), 8);
   take(truth, 1);
-  EXPECT_EQ(truth.samples(), 16) << "as many as before again";
+  EXPECT_EQ(truth.samples(), 16) << "the step size is 8 again";
 }
 
-// A total is reached exactly, by any steps.
-TEST_F(RunningTruthTest, TakesNoMoreThanAreLeft) {
+// A total is reached exactly, with any steps.
+TEST_F(RunningTruthTest, StopsAtTheTotal) {
   RunningTruth truth(bench(), "ground_truth", {4, 16, std::numeric_limits<double>::infinity()});
   truth.restart(shot());
   while (truth.step(27 - truth.samples())) EXPECT_LE(truth.samples(), 27);
   EXPECT_EQ(truth.samples(), 27);
 }
 
-TEST_F(RunningTruthTest, RestartForgets) {
+TEST_F(RunningTruthTest, RestartDropsAllSteps) {
   RunningTruth truth(bench(), "ground_truth", {2, 2});
   EXPECT_FALSE(truth.step()) << "no shot yet";
   truth.restart(shot());
@@ -118,11 +118,11 @@ TEST_F(RunningTruthTest, RestartForgets) {
   EXPECT_FALSE(oracle::identical(truth.mean(), first));
   truth.restart(shot());
   take(truth, 3);
-  EXPECT_TRUE(oracle::identical(truth.mean(), first)) << "the same steps give the same bits";
+  EXPECT_TRUE(oracle::identical(truth.mean(), first)) << "equal steps give equal bits";
 }
 
-// A seed of the shot's own gives other steps; steps differ from each other.
-TEST_F(RunningTruthTest, StepsHaveSeedsOfTheirOwn) {
+// The shot's seed changes the steps; steps differ from each other.
+TEST_F(RunningTruthTest, StepsHaveDifferentSeeds) {
   RunningTruth truth(bench(), "ground_truth", {1, 1});
   truth.restart(shot());
   take(truth, 1);
@@ -137,8 +137,8 @@ TEST_F(RunningTruthTest, StepsHaveSeedsOfTheirOwn) {
   EXPECT_FALSE(oracle::identical(truth.mean(), one));
 }
 
-// The settings of the pipeline that is looked at mean nothing to truth.
-TEST_F(RunningTruthTest, TakesNoSettingsOfOtherPipelines) {
+// Truth ignores the settings of the pipeline on display.
+TEST_F(RunningTruthTest, IgnoresSettingsOfOtherPipelines) {
   RunningTruth truth(bench(), "ground_truth", {1, 1});
   truth.restart(oracle::with(shot(), "hybrid", {}));
   take(truth, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every option of a shot, walked through the table: command line, shot, record, shot, command text, shot again. A new
-// row is covered here once it has a value in `kGiven`.
+// Every option of a shot, converted through the table: command line, shot, record, shot, command text, shot. A new row
+// is covered here once it has a value in `kGiven`.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,7 +11,7 @@
 namespace strobe::lab {
 namespace shot_test {
 
-// A value of each option that is not its default, as typed, and its form in a record.
+// A value of each option that differs from its default, as typed and as in a record.
 struct Given {
   std::vector<std::string> texts;
   Json json;
@@ -65,7 +65,7 @@ std::vector<std::string> words(const std::string& line) {
   return list;
 }
 
-// The shot of a command line without "strobe render".
+// The shot of a command line, given without "strobe render".
 Shot parsed(std::vector<std::string> arguments) {
   CLI::App command;
   app::ShotOptions options;
@@ -88,7 +88,7 @@ Shot typed(const ShotOption& option, const std::vector<std::string>& more = {}) 
   return parsed(arguments);
 }
 
-// As a scene would leave it.
+// The shot with the defaults that apply to a scene without suggestions.
 Shot filled(Shot shot) {
   fillShot(shot, {});
   return shot;
@@ -105,7 +105,7 @@ Shot fromCommand(const Shot& shot) {
   return parsed({list.begin() + 2, list.end()});
 }
 
-TEST(ShotOptions, GoThroughCommandLineRecordAndCommandText) {
+TEST(ShotOptions, RoundTripThroughCommandLineRecordAndCommandText) {
   const std::vector<std::string> sets = {"--set", "samples=7",  "--set", "scene.wide=0.5",
                                          "--set", "edge=canny", "--set", "jitter=true"};
   for (const ShotOption& option : shotOptions()) {
@@ -134,7 +134,7 @@ TEST(ShotOptions, ExperimentsSetThemByTheSameNames) {
   }
 }
 
-TEST(ShotOptions, IdentityDiffersWhereThePictureMay) {
+TEST(ShotOptions, IdentityDependsOnEveryOptionOfThePicture) {
   const std::vector<std::string> moved = {"--move", "bar=1,0,0"};
   Shot plain = filled(parsed({"hybrid", "--move", "bar=1,0,0"}));
   for (const ShotOption& option : shotOptions()) {
@@ -145,8 +145,8 @@ TEST(ShotOptions, IdentityDiffersWhereThePictureMay) {
   }
 }
 
-// Without nodes that options move, time is a matter of the frame alone.
-TEST(ShotOptions, WhatIsAtRestCountsWhereSomethingMoves) {
+// If no option moves a node, fps, frame and rest frame do not change the scene.
+TEST(ShotOptions, RestFrameCountsIfANodeMoves) {
   for (const char* name : {"fps", "frame", "rest_frame"})
     EXPECT_EQ(sceneIdentity(filled(typed(*findShotOption(name)))), sceneIdentity(filled(parsed({"hybrid"})))) << name;
   Shot at_rest = filled(parsed({"hybrid", "--move", "bar=1,0,0", "--frame", "5"})), same = at_rest;
@@ -154,7 +154,7 @@ TEST(ShotOptions, WhatIsAtRestCountsWhereSomethingMoves) {
   EXPECT_EQ(canonical(at_rest), canonical(same));
 }
 
-TEST(ShotOptions, RangesStandInTheTable) {
+TEST(ShotOptions, RangesFollowTheTable) {
   for (const ShotOption& option : shotOptions())
     for (const ShotField& field : option.fields) {
       if (!field.declaration.min) continue;
@@ -173,7 +173,7 @@ TEST(ShotOptions, RangesStandInTheTable) {
     }
 }
 
-TEST(ShotOptions, AScenesSuggestionFillsWhatIsOpen) {
+TEST(ShotOptions, SceneSuggestionsFillUnsetOptions) {
   Shot shot;
   shot.fps = 30;
   fillShot(shot, Json::parse(R"({"shot":{"width":64,"height":40,"fps":25,"frame":3,"exposure":1}})"));
@@ -187,8 +187,8 @@ TEST(ShotOptions, AScenesSuggestionFillsWhatIsOpen) {
             "-o out.exr");
 }
 
-// In seconds the exposure is the same however many frames a second has; in frames it follows from that.
-TEST(ShotOptions, AnExposureInSecondsIsTheLaterOfTheTwo) {
+// An exposure in seconds does not depend on the frame rate; the exposure in frames follows from both.
+TEST(ShotOptions, LaterOfExposureAndExposureTimeCounts) {
   for (double fps : {12.0, 24.0, 60.0, 144.0}) {
     const std::vector<std::string> rate = {"hybrid", "--fps", fmt::format("{}", fps), "--frame",
                                            fmt::format("{}", fps / 2)};
@@ -235,8 +235,8 @@ TEST(Settings, AreTypedInRecords) {
   EXPECT_EQ(fromCommand(shot).sets, shot.sets);
 }
 
-// As records were written when settings were texts.
-TEST(Settings, OfAnOldRecordAreRead) {
+// A record from versions that wrote settings as text.
+TEST(Settings, AreReadFromOldRecords) {
   Json shot = toJson(filled(parsed({"hybrid"})));
   shot["set"] = {{"samples", "7"}};
   Path file = Path(::testing::TempDir()) / "old.record.json";
@@ -244,7 +244,7 @@ TEST(Settings, OfAnOldRecordAreRead) {
   EXPECT_EQ(canonical(shotFromRecord(file)), canonical(filled(parsed({"hybrid", "--set", "samples=7"}))));
 }
 
-TEST(Settings, TheLastOfANameCountsForIdentity) {
+TEST(Settings, LastOfANameCountsForIdentity) {
   auto identity = [](const std::vector<std::string>& arguments) { return canonical(filled(parsed(arguments))); };
   EXPECT_EQ(identity({"hybrid", "--set", "a=1", "--set", "b=2", "--set", "a=3"}),
             identity({"hybrid", "--set", "a=3", "--set", "b=2"}));

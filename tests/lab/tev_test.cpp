@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the viewer would receive, read by a parser of its own that knows only the protocol.
+// Packets for the viewer tev, decoded by an independent parser of the protocol.
 #include "lab/tev.h"
 
 #include <arpa/inet.h>
@@ -21,7 +21,7 @@ using namespace strobe::lab;
 
 namespace tev_test {
 
-// A viewer on a free port of this machine that takes what it is sent until the sender hangs up.
+// A viewer on a free port of this machine that reads until the sender closes the connection.
 class Viewer {
  public:
   explicit Viewer(int waiting = 4) : listener_(socket(AF_INET, SOCK_STREAM, 0)) {
@@ -49,7 +49,7 @@ class Viewer {
     });
   }
 
-  // A connection that is accepted by the system, but never read.
+  // A connection accepted by the system but never read.
   int accepted() const { return accept(listener_, nullptr, nullptr); }
 
  private:
@@ -57,7 +57,7 @@ class Viewer {
   int port_ = 0;
 };
 
-// Takes numbers and texts off the front of bytes.
+// Reads numbers and texts from the start of bytes.
 struct Reader {
   std::string bytes;
   size_t at = 0;
@@ -157,7 +157,7 @@ double secondsOf(const std::function<void()>& action) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-TEST(Tev, ShowsImagesAsTheyAre) {
+TEST(Tev, ShowsImagesUnchanged) {
   Viewer viewer;
   std::future<std::string> bytes = viewer.receive();
   graph::ReadImage color = numbered(5, 3, 4), later = numbered(5, 3, 4, 100), depth = numbered(7, 2, 1);
@@ -183,7 +183,7 @@ TEST(Tev, ShowsImagesAsTheyAre) {
   EXPECT_EQ(shown["strobe: id"].planes, (std::vector<std::vector<float>>{{1, 3}, {2, 16777216}}));
 }
 
-TEST(Tev, AnotherSizeIsAnotherImage) {
+TEST(Tev, ImageOfAnotherSizeIsCreatedAgain) {
   Viewer viewer;
   std::future<std::string> bytes = viewer.receive();
   graph::ReadImage small = numbered(4, 4, 3), large = numbered(8, 4, 3);
@@ -197,8 +197,8 @@ TEST(Tev, AnotherSizeIsAnotherImage) {
   expectPixels(shown["strobe: color"], large.floats);
 }
 
-// Byte for byte as the protocol's description has it.
-TEST(Tev, PacketsByteForByte) {
+// Packets match the protocol's description byte for byte.
+TEST(Tev, PacketsMatchTheProtocol) {
   std::string create = tevCreatePacket("a", 2, 1, {"R", "G"});
   EXPECT_EQ(create, std::string("\x18\0\0\0\x04\0a\0\x02\0\0\0\x01\0\0\0\x02\0\0\0R\0G\0", 24));
   image::Image one(1, 1, 1, 1.0f);
@@ -208,7 +208,7 @@ TEST(Tev, PacketsByteForByte) {
                                 50));
 }
 
-TEST(Tev, NobodyThereIsSilentAndQuick) {
+TEST(Tev, MissingViewerIsIgnoredQuickly) {
   TevAddress gone;
   { gone = Viewer().address(); }
   ::testing::internal::CaptureStderr();
@@ -217,8 +217,8 @@ TEST(Tev, NobodyThereIsSilentAndQuick) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-// A viewer that answers no more connections: the system by itself would try for minutes.
-TEST(Tev, NoAnswerIsWaitedForBriefly) {
+// A viewer that accepts no more connections: by default, the system would retry for minutes.
+TEST(Tev, ConnectionAttemptsTimeOut) {
   Viewer viewer(0);
   std::vector<std::unique_ptr<Tev>> waiting;
   bool refused = false;
@@ -229,7 +229,7 @@ TEST(Tev, NoAnswerIsWaitedForBriefly) {
   EXPECT_TRUE(refused);
 }
 
-TEST(Tev, AViewerThatDoesNotReadIsLeft) {
+TEST(Tev, ViewerThatDoesNotReadIsDropped) {
   Viewer viewer;
   Tev tev(viewer.address(), 0.1);
   graph::ReadImage large = numbered(2048, 2048, 4);
@@ -237,8 +237,8 @@ TEST(Tev, AViewerThatDoesNotReadIsLeft) {
   EXPECT_LT(took_s, 10);
 }
 
-// The next image after a viewer went away goes to the next viewer, made anew.
-TEST(Tev, AViewerThatComesBackIsServed) {
+// After a viewer has gone, the next image is created in the next viewer.
+TEST(Tev, RestartedViewerIsServed) {
   Viewer viewer;
   auto tev = std::make_unique<Tev>(viewer.address());
   EXPECT_TRUE(tev->send("color", numbered(4, 4, 3)));
@@ -254,7 +254,7 @@ TEST(Tev, AViewerThatComesBackIsServed) {
   expectPixels(shown["strobe: color"], image.floats);
 }
 
-TEST(Tev, Addresses) {
+TEST(Tev, AddressesAreParsed) {
   EXPECT_EQ(parseTevAddress("localhost:14158").host, "localhost");
   EXPECT_EQ(parseTevAddress("10.0.0.7:80").port, 80);
   EXPECT_EQ(parseTevAddress("[::1]:14158").host, "::1");

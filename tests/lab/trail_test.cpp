@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The trail of a pixel against the layers of an EXR file of the same shot, and against where its surfaces are.
+// The trail of a pixel compared with the layers of an EXR file of the same shot and with the known surfaces.
 #include "lab/trail.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ class TrailTest : public oracle::RenderTest {
   static void expectWhatTheFileHolds(const Shot& shot);
 };
 
-// "gbuffer.velocity" of two channels is velocity.X and .Y in a file, below the node's name.
+// "gbuffer.velocity" with two channels is velocity.X and .Y in a file, below the node's name.
 std::vector<const image::ExrChannel*> layerOf(const image::ExrFile& file, const std::string& layer) {
   std::vector<const image::ExrChannel*> channels;
   for (const char* component : {"R", "G", "B", "A", "X", "Y", "Z", "W"})
@@ -36,7 +36,7 @@ bool sameBits(double value, float stored) {
   return std::memcmp(&single, &stored, sizeof stored) == 0;
 }
 
-// The pixel of every layer that the file has, as the row has it; how many rows the file has no layer for.
+// Compares each row with the file's layer at the pixel; returns the number of rows without a layer.
 int compareWithFile(const Trail& trail, const image::ExrFile& file) {
   int absent = 0;
   for (const TrailRow& row : trail.rows) {
@@ -52,10 +52,10 @@ int compareWithFile(const Trail& trail, const image::ExrFile& file) {
   return absent;
 }
 
-// The shot with everything tapped, by way of a file.
+// An EXR file of the shot with all ports tapped, written and read.
 image::ExrFile fileOf(const Picture& picture) {
   const Path file = strobe::testing::processFolder() / "trail.exr";
-  ::testing::internal::CaptureStderr();  // tile images are left out, and said to be
+  ::testing::internal::CaptureStderr();  // reports the tile images that are left out
   image::writeExr(file, exrOf(picture));
   ::testing::internal::GetCapturedStderr();
   return image::readExr(file);
@@ -69,7 +69,7 @@ TrailRow rowOf(const std::string& format, std::vector<double> values) {
   return row;
 }
 
-// The trail of a pixel of the shot, all ports of which are in the file but those of at least two tile images.
+// Compares the trail of a pixel with a file of all ports; at least two tile images are not in the file.
 void TrailTest::expectWhatTheFileHolds(const Shot& shot) {
   Picture alone = render(shot);
   Followed followed = follow(bench(), shot, 23, 14);
@@ -90,13 +90,13 @@ void TrailTest::expectWhatTheFileHolds(const Shot& shot) {
   }
 }
 
-TEST_F(TrailTest, IsWhatTheFileHolds) {
+TEST_F(TrailTest, MatchesTheFile) {
   for (const char* pipeline : {"adaptive", "mcguire2012"})
     expectWhatTheFileHolds(oracle::with(oracle::shotOf("crowd", 64, 40), pipeline));
 }
 
-// What was asked for besides the pixel stays.
-TEST_F(TrailTest, KeepsTheTapsThatWereAskedFor) {
+// Taps given by the user stay in the picture.
+TEST_F(TrailTest, KeepsTheUsersTaps) {
   Shot shot = oracle::with(oracle::shotOf("crowd", 64, 40), "mcguire2012");
   shot.taps = {"gbuffer.depth"};
   Followed followed = follow(bench(), shot, 0, 39);
@@ -104,8 +104,9 @@ TEST_F(TrailTest, KeepsTheTapsThatWereAskedFor) {
   EXPECT_EQ(followed.picture.frame.taps.size(), 1u);
 }
 
-// Pixel 20,13 lies in the card "high", 16 m away, that moves by (9.125, 3.25) px; the wall behind it, 32 m away, rests
-// (scenes/crowd.lua). Single precision of positions relative to the camera: 1e-5 of the depth; displacements 1e-3 px.
+// Pixel 20,13 lies on the card "high", 16 m away, which moves by (9.125, 3.25) px; the wall in the background, 32 m
+// away, is static (scenes/crowd.lua). Tolerances for single precision relative to the camera: 1e-5 of the depth; 1e-3
+// px.
 TEST_F(TrailTest, HitsAreTheSurfacesAlongTheRay) {
   Shot shot = oracle::with(oracle::shotOf("crowd", 64, 40), "none");
   std::vector<TrailHit> hits = follow(bench(), shot, 20, 13).trail.hits;
@@ -135,13 +136,13 @@ TEST_F(TrailTest, PixelsOutsideAreRefused) {
   }
 }
 
-TEST(Trail, PixelsAsTyped) {
+TEST(Trail, PixelsAreParsed) {
   EXPECT_EQ(parsePixel("12,7"), (std::array<int, 2>{12, 7}));
   for (const char* text : {"", "12", "12,", ",7", "12,7,3", "12.5,7", "a,b", "12, 7", "99999999999,1"})
     EXPECT_THROW(parsePixel(text), Error) << text;
 }
 
-TEST(Trail, NumbersReadBackToTheSameFloat) {
+TEST(Trail, NumbersRoundTripToTheSameFloat) {
   std::vector<double> values;
   for (float value : {0.1f, 1.0f / 3, 1e-38f, 3.4e38f, 1e-45f, 16777217.0f, -0.0f, 2.5f}) values.push_back(value);
   Trail trail = {"p", 0, 0, 64, 40, {rowOf("rgba32f", values)}, {}};
@@ -151,7 +152,7 @@ TEST(Trail, NumbersReadBackToTheSameFloat) {
   EXPECT_NE(tableOf(trail).find("0.1  0.33333334  1e-38"), std::string::npos) << tableOf(trail);
 }
 
-TEST(Trail, WhatIsNotFiniteIsNamed) {
+TEST(Trail, NonFiniteNumbersAreNamed) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Trail trail = {"p", 0, 0, 64, 40, {rowOf("rgba32f", {NAN, inf, -inf})}, {}};
   EXPECT_EQ(toJson(trail)["passes"][0]["values"], Json::parse(R"(["nan", "inf", "-inf"])"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// docs/your-own-edge-detector.md, followed in a project: its files written beside a running shot, its commands given,
-// its errors made.
+// docs/your-own-edge-detector.md, followed in a project: writes its files beside a running shot, runs its commands,
+// makes its mistakes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using strobe::testing::Page;
 using strobe::testing::TemporaryFolder;
 using strobe::testing::withLine;
 
-// A project as the page makes it, beside what ships.
+// A project made by the page's first command, beside the shipped files.
 class Following : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -70,7 +70,7 @@ std::string hashOf(Session& session, const std::string& image) {
   return hashBytes(values.data(), values.size() * sizeof(float));
 }
 
-// A box and a ball that move before a wall, over a floor.
+// A moving box and ball in front of a wall, above a floor.
 Shot movingThings() {
   Shot shot;
   shot.pipeline = "hybrid";
@@ -81,7 +81,7 @@ Shot movingThings() {
   return shot;
 }
 
-// [96, 160), moving by 20 px.
+// A bar at [96, 160) that moves by 20 px.
 Shot movingBar() {
   Shot shot;
   shot.pipeline = "hybrid";
@@ -92,7 +92,7 @@ Shot movingBar() {
   return shot;
 }
 
-// Columns of the middle row that are marked.
+// Marked columns of the middle row.
 std::vector<int> markedIn(const Picture& picture) {
   const image::Image& mask = picture.frame.outputs.at("mask").floats;
   std::vector<int> columns;
@@ -101,7 +101,7 @@ std::vector<int> markedIn(const Picture& picture) {
   return columns;
 }
 
-TEST_F(Following, TheDetectorAppearsRunsAndIsTuned) {
+TEST_F(Following, DetectorAppearsRunsAndIsTuned) {
   Workbench bench(home(), "", true);
   Session session(bench, movingThings());
   session.tap({"edge.edge"});
@@ -133,7 +133,7 @@ TEST_F(Following, TheDetectorAppearsRunsAndIsTuned) {
   EXPECT_EQ(bench.device().takeMessages(), std::vector<std::string>());
 }
 
-TEST_F(Following, MistakesSayWhatThePageSays) {
+TEST_F(Following, MistakesHaveTheErrorsOfThePage) {
   writeAll();
   Workbench bench(home(), "", true);
   Shot shot = movingThings();
@@ -155,9 +155,9 @@ TEST_F(Following, MistakesSayWhatThePageSays) {
   EXPECT_EQ(bench.device().takeMessages(), std::vector<std::string>());
 }
 
-// [R - d, R) and the pixel that the silhouette reaches at the very end of the exposure, as every detector's that marks
-// the nearer side (tests/oracle/render_masks_test.cpp).
-TEST_F(Following, ItsMaskIsTheBand) {
+// [R - d, R) and the pixel that the silhouette reaches at the end of the exposure, as for every detector that marks the
+// nearer side (tests/oracle/render_masks_test.cpp).
+TEST_F(Following, MaskIsTheBand) {
   writeAll();
   Workbench bench(home(), "", true);
   std::vector<int> expected;
@@ -166,8 +166,9 @@ TEST_F(Following, ItsMaskIsTheBand) {
   EXPECT_EQ(bench.device().takeMessages(), std::vector<std::string>());
 }
 
-// What `render` and `live` would draw can be planned; everything else but `compare`, which needs pictures, is run.
-TEST_F(Following, ItsCommandsAreAccepted) {
+// Commands of `render` and `live` are planned; all other commands run, except `compare`, which needs pictures, and
+// `new` and `sweep`.
+TEST_F(Following, CommandsAreAccepted) {
   writeAll();
   std::set<std::string> seen;
   for (const std::string& command : page_.commands) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Views against what their colours mean.
+// Views compared with the meaning of their colours.
 #include "lab/views.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ void expectNear(const Colour& a, const Colour& b, float tolerance) {
   for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance) << "channel " << c;
 }
 
-TEST(Views, AutomaticKinds) {
+TEST(Views, AutomaticKindFollowsNameAndFormat) {
   Image one(2, 2, 1), two(2, 2, 2), four(2, 2, 4);
   EXPECT_EQ(automaticKind(floats("rgba32f", four), "color"), "colour");
   EXPECT_EQ(automaticKind(floats("rgba32f", four), "gather.blurred"), "colour");
@@ -54,8 +54,8 @@ TEST(Views, AutomaticKinds) {
   EXPECT_EQ(automaticKind(ids(1, 1, {3}), "gbuffer.id"), "id");
 }
 
-// Every kind of the menu is one that `shown` knows, and gives a picture of the frame's size.
-TEST(Views, MenuHoldsWhatCanBeShown) {
+// `shown` accepts every kind of the menu and gives a picture of the frame's size.
+TEST(Views, MenuHasTheShowableKinds) {
   for (const ReadImage& image : {floats("r32f", Image(3, 2, 1, 0.5f)), floats("rg32f", Image(3, 2, 2, 0.5f)),
                                  floats("rgba32f", Image(3, 2, 4, 0.5f)), ids(3, 2, {0, 1, 2, 3, 4, 5})}) {
     std::vector<std::string> kinds = viewKinds(image);
@@ -72,7 +72,7 @@ TEST(Views, MenuHoldsWhatCanBeShown) {
   }
 }
 
-// Within a twentieth of one of the 256 levels a screen has: the view looks the curve up in a table.
+// Error within 1/20 of one of 256 screen levels: the view approximates the sRGB curve by a table.
 TEST(Views, ColourIsExposedAndEncoded) {
   Image ramp(256, 1, 4);
   for (int x = 0; x < 256; ++x)
@@ -92,7 +92,7 @@ TEST(Views, SumsAreShownAsMeans) {
   expectNear(at(picture, 0, 0), {1, image::encodeSrgb(0.5f), 0}, 0.05f / 255);
 }
 
-TEST(Views, NormalsAreHalvedAndNoNormalIsBlack) {
+TEST(Views, NormalsAreHalvedAndZeroIsBlack) {
   Image normal(3, 1, 4);
   normal.values = {0, 0, 1, 0, -1, 0, 0, 0, 0, 0, 0, 0};
   Image picture = view(floats("rgba32f", normal), "gbuffer.normal");
@@ -101,13 +101,13 @@ TEST(Views, NormalsAreHalvedAndNoNormalIsBlack) {
   expectNear(at(picture, 2, 0), kBlack, 0);
 }
 
-TEST(Views, IdsHaveTheColoursOfIds) {
+TEST(Views, IdsHaveFalseColours) {
   ReadImage image = ids(4, 1, {0, 1, 2, 77});
   Image picture = shown(image, "gbuffer.id", 1, 4, 1, {}, nullptr);
   EXPECT_EQ(picture.values, image::idColours(image.uints).values);
 }
 
-TEST(Views, WhatIsNotFiniteIsLoud) {
+TEST(Views, NonFiniteValuesHaveSignalColours) {
   for (const char* kind : {"colour", "normal", "velocity", "arrows", "scalar"}) {
     Image data(4, 1, 4, 0.25f);
     data.at(1, 0, 1) = kNan;
@@ -123,12 +123,12 @@ TEST(Views, WhatIsNotFiniteIsLoud) {
   depth.values = {2, kNan, kInf, -kInf};
   Image picture = view(floats("r32f", depth), "gbuffer.depth");
   EXPECT_EQ(at(picture, 1, 0), kMagenta);
-  EXPECT_EQ(at(picture, 2, 0), kBlack) << "the sky is infinitely far, which is no mistake";
+  EXPECT_EQ(at(picture, 2, 0), kBlack) << "infinite depth of the sky is valid";
   EXPECT_EQ(at(picture, 3, 0), kYellow);
   EXPECT_EQ(at(view(floats("r8_unorm", depth), "node.mask"), 1, 0), kMagenta);
 }
 
-TEST(Views, NothingFiniteDoesNotStopIt) {
+TEST(Views, UniformAndNonFiniteImagesAreShown) {
   for (const std::string& kind : viewKinds(floats("r32f", Image(1, 1, 1))))
     for (float value : {kNan, kInf, -kInf, 0.0f, -1.0f, 3e38f})
       view(floats("r32f", Image(240, 130, 1, value)), "gbuffer.depth", kind);
@@ -137,7 +137,7 @@ TEST(Views, NothingFiniteDoesNotStopIt) {
       view(floats("rg32f", Image(240, 130, 2, value)), "gbuffer.velocity", kind);
 }
 
-// Orange where it is set, however dark the picture; grey and darker than the picture elsewhere.
+// Orange in the mask for any picture; grey and darker than the picture outside.
 TEST(Views, MasksTintTheDimmedPicture) {
   Image mask(2, 1, 1), under(2, 1, 4, 0.5f);
   mask.values = {1, 0};
@@ -155,8 +155,8 @@ TEST(Views, MasksTintTheDimmedPicture) {
   EXPECT_EQ(at(shown(floats("r8_unorm", mask), "mask", 1, 2, 1, bare, &under), 0, 0), (Colour{1, 1, 1}));
 }
 
-// Tiles of 8 pixels in a frame that is no multiple of them: each pixel shows the texel of its tile.
-TEST(Views, TilesAreEnlargedByLookup) {
+// Tiles of 8 pixels in a frame that is not a multiple of 8: each pixel shows the texel of its tile.
+TEST(Views, TilesAreEnlargedByNearestLookup) {
   Image tiles(3, 2, 1);
   tiles.values = {0, 1, 2, 3, 4, 5};
   ViewOptions options;
@@ -167,8 +167,8 @@ TEST(Views, TilesAreEnlargedByLookup) {
     for (int x = 0; x < 20; ++x) EXPECT_EQ(at(picture, x, y), image::magma(float(x / 8 + 3 * (y / 8)) / 5));
 }
 
-// Images of fixed size are fitted by a whole factor and centred: 16 x 1 in 100 x 20 is 96 x 6 from (2, 7).
-TEST(Views, FixedSizesAreFitted) {
+// Images of fixed size are scaled by an integer factor and centred: 16 x 1 in 100 x 20 is 96 x 6 at (2, 7).
+TEST(Views, ImagesOfFixedSizeAreFitted) {
   Image row(16, 1, 1, 1);
   row.values[15] = 0;
   ViewOptions options;
@@ -184,7 +184,7 @@ TEST(Views, FixedSizesAreFitted) {
             image::magma(1));
 }
 
-// The wheel says which colour stands for which displacement: those of the picture.
+// The wheel has the same colours for displacements as the picture.
 TEST(Views, WheelHasTheColoursOfThePicture) {
   Image velocity(320, 200, 2);
   for (int i = 0; i < 320 * 200; ++i) velocity.values[size_t(2 * i)] = 17;
@@ -200,7 +200,7 @@ TEST(Views, WheelHasTheColoursOfThePicture) {
     Colour expected = at(image::velocityColours(one, float(radius)), 0, 0);
     expectNear(at(picture, place.x + radius + int(offset.x), place.y + radius + int(offset.y)), expected, kHalfLevel);
   }
-  // 17 px are shown on a scale of 20: as the wheel has them at 17/20 of its radius to the right.
+  // 17 px on a scale of 20: the wheel's colour at 17/20 of its radius to the right.
   Image one(1, 1, 2);
   one.values = {17, 0};
   expectNear(at(picture, 5, 5), at(image::velocityColours(one, 20), 0, 0), kHalfLevel);
@@ -213,7 +213,7 @@ TEST(Views, SmallPicturesHaveNoLegend) {
     for (int x = 0; x < 64; ++x) EXPECT_EQ(at(picture, x, y), at(picture, 0, 0));
 }
 
-// A displacement of 20 px to the right where the second arrow of the first row stands (20 px apart from 10, 5).
+// A displacement of 20 px to the right at the second arrow of the first row (arrows 20 px apart from (10, 5)).
 TEST(Views, ArrowsPointAlongTheDisplacement) {
   Image velocity(100, 60, 2);
   velocity.at(30, 5, 0) = 20;
@@ -229,7 +229,7 @@ TEST(Views, ArrowsPointAlongTheDisplacement) {
   EXPECT_EQ(at(picture, 40, 25), kBlack);
 }
 
-TEST(Views, WipeTakesLeftFromOneAndRightFromTheOther) {
+TEST(Views, WipeJoinsLeftAndRightHalves) {
   Image a(100, 4, 3, 0.25f), b(100, 4, 3, 0.75f);
   Image picture = wiped(a, b, 0.4);
   EXPECT_EQ(picture.at(0, 0, 0), 0.25f);
@@ -251,7 +251,7 @@ TEST(Views, DifferencesSaturateAtOneOverTheGain) {
   EXPECT_EQ(at(picture, 2, 0), kMagenta);
 }
 
-TEST(Views, NiceNumbers) {
+TEST(Views, ScalesEndAtNiceNumbers) {
   EXPECT_DOUBLE_EQ(image::niceCeiling(17), 20);
   EXPECT_DOUBLE_EQ(image::niceCeiling(20), 20);
   EXPECT_DOUBLE_EQ(image::niceCeiling(0.21), 0.5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Warnings about clips: each where the picture has what it says, and nowhere else.
+// Warnings about clips appear exactly in the frames with the described problem.
 #include "lab/warnings.h"
 
 #include <gtest/gtest.h>
@@ -43,12 +43,12 @@ scene::Animation clipOf(const std::string& name, double duration, std::vector<Tr
   return clip;
 }
 
-// x from 0 to 1 within the clip.
+// A clip that moves x from 0 to 1.
 scene::Animation slide(const std::string& name, double from_s, double to_s, How how = How::Linear, int node = 0) {
   return clipOf(name, to_s, {track(Target::Translation, {from_s, to_s}, {dvec4(0), {1, 0, 0, 0}}, how, node)});
 }
 
-// The kinds of warning that a frame gets, by the words that only they have.
+// The kinds of a frame's warnings, found by words unique to each kind.
 std::string kindsOf(const scene::Scene& scene, int frame, double exposure = 1, const std::string& anchor = "centre",
                     double fps = 24, const std::string& animation = "all") {
   Shot shot;
@@ -68,8 +68,8 @@ std::string kindsOf(const scene::Scene& scene, int frame, double exposure = 1, c
   return kinds;
 }
 
-// Keys on frames, as floats: an exposure that ends on the last frame or begins on the first key leaves nothing.
-TEST(ClipWarnings, ExposuresThatEndOnKeysLeaveNoClip) {
+// Keys on frames, as floats: an exposure that ends on the last key or begins on the first key stays in the clip.
+TEST(ClipWarnings, ExposuresThatEndOnKeysStayInTheClip) {
   for (int fps : {24, 25, 30, 60})
     for (int frame = 1; frame <= 200; ++frame)
       for (bool by_product : {false, true}) {
@@ -86,7 +86,7 @@ TEST(ClipWarnings, ExposuresThatEndOnKeysLeaveNoClip) {
       }
 }
 
-TEST(ClipWarnings, EveryKindOfTrackHasThem) {
+TEST(ClipWarnings, EveryKindOfTrackIsChecked) {
   for (Target target : {Target::Translation, Target::Weight, Target::FieldOfView}) {
     const scene::Animation clip = clipOf("a", 1, {track(target, {0.5, 1}, {dvec4(0.1), dvec4(1)})});
     EXPECT_EQ(kindsOf(sceneOf({clip}), 24), "seam ") << int(target);
@@ -108,8 +108,8 @@ TEST(ClipWarnings, StepsAndCutsDoNotBlur) {
   EXPECT_EQ(kindsOf(all, 24), "seam ");
 }
 
-// A frame of 24 is 41.7 ms.
-TEST(ClipWarnings, AnExposureLongerThanTheLoopSpansItsEnd) {
+// A frame interval at 24 fps is 41.7 ms.
+TEST(ClipWarnings, ExposureLongerThanTheLoopSpansItsEnd) {
   for (const char* anchor : {"start", "centre", "end"}) {
     EXPECT_EQ(kindsOf(sceneOf({slide("a", 0, 0.03)}), 48, 1, anchor), "seam ") << anchor;
     EXPECT_EQ(kindsOf(sceneOf({slide("a", 0, 0.041666)}), 24, 1, anchor), "seam ") << anchor;
@@ -117,8 +117,8 @@ TEST(ClipWarnings, AnExposureLongerThanTheLoopSpansItsEnd) {
   }
 }
 
-// Turns about y by quarters; the quaternion of a whole turn is that of none, negated.
-TEST(ClipWarnings, AWholeTurnDoesNotJump) {
+// Rotation about y by quarters; the quaternion of a full turn is the negated identity.
+TEST(ClipWarnings, FullTurnDoesNotJump) {
   auto turnTo = [](double degrees, double sign_of_last) {
     std::vector<double> times;
     std::vector<dvec4> values;
@@ -138,7 +138,7 @@ TEST(ClipWarnings, AWholeTurnDoesNotJump) {
   }
 }
 
-TEST(ClipWarnings, ALoopThatClosesWithinRoundingDoesNotJump) {
+TEST(ClipWarnings, LoopClosedWithinRoundingDoesNotJump) {
   auto closing = [](double end) {
     return sceneOf(
         {clipOf("a", 1, {track(Target::Translation, {0, 0.5, 1}, {dvec4(0), {0, 3, 0, 0}, {0, end, 0, 0}})})});
@@ -164,7 +164,7 @@ TEST(ClipWarnings, ClipsOfOneTargetAreNamedUnlessOneIsChosen) {
   }
 }
 
-// The seam of a clip that does not play is no matter.
+// A clip that does not play has no warning about its seam.
 TEST(ClipWarnings, ClipsThatDoNotPlayHaveNoSeam) {
   const scene::Scene scene = sceneOf({slide("walk", 0, 20), slide("run", 0, 1)});
   EXPECT_EQ(kindsOf(scene, 24), "shared ");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hand-moved camera: invariants and positions one can name.
+// The user-controlled camera: invariants, and positions known in closed form.
 #include "live/camera.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace strobe::live {
 namespace camera_test {
 
-constexpr double kTiny = 1e-12;  // a handful of double operations on numbers of order one
+constexpr double kTiny = 1e-12;  // error of a few double operations on numbers near 1
 
 void expectNear(const dvec3& value, const dvec3& wanted, double tolerance = kTiny) {
   EXPECT_LT(glm::length(value - wanted), tolerance) << value.x << " " << value.y << " " << value.z;
@@ -25,7 +25,7 @@ TEST(Camera, AxesAreARightHandedFrame) {
   expectNear(glm::cross(rightOf(oblique), upOf(oblique)), -forwardOf(oblique));
 }
 
-TEST(Camera, ViewpointLooksWhereTheCameraDoes) {
+TEST(Camera, ViewpointHasTheCamerasDirection) {
   dmat4 world_from_camera = glm::inverse(glm::lookAt(dvec3(1, 2, 3), dvec3(-2, 0, 1), dvec3(0, 1, 0)));
   Viewpoint view = viewpointOf(world_from_camera, 2.5);
   expectNear(view.eye, {1, 2, 3});
@@ -33,7 +33,7 @@ TEST(Camera, ViewpointLooksWhereTheCameraDoes) {
   EXPECT_NEAR(glm::length(view.target - view.eye), 2.5, kTiny);
 }
 
-TEST(Camera, AQuarterOrbitStandsBeside) {
+TEST(Camera, QuarterOrbitIsBesideTheTarget) {
   expectNear(orbited(kAhead, kAhead.target, glm::radians(90.0), 0).eye, {5, 0, 0});
   Viewpoint above = orbited(kAhead, kAhead.target, 0, glm::radians(30.0));
   expectNear(above.eye, {0, 2.5, 5 * std::cos(glm::radians(30.0))});
@@ -47,8 +47,8 @@ TEST(Camera, OrbitKeepsTargetAndDistance) {
   EXPECT_NEAR(glm::length(view.target - view.eye), distance, 1e-10);  // 100 steps
 }
 
-// What is under the pointer when a drag begins stays there, and as far away.
-TEST(Camera, AnOrbitLeavesItsPivotInTheSamePlace) {
+// The surface under the pointer at the start of a drag stays under the pointer, at the same depth.
+TEST(Camera, OrbitKeepsItsPivotOnScreen) {
   Viewpoint view{{3, 2, 1}, {-1, 0.5, -4}};
   const dvec2 from_middle_px(-37, 21);
   const double metres_per_px = 0.01, depth = 2.4;
@@ -61,14 +61,15 @@ TEST(Camera, AnOrbitLeavesItsPivotInTheSamePlace) {
   }
 }
 
-TEST(Camera, AHandMovedViewIsShortAsText) {
+TEST(Camera, RoundedViewIsShortAsText) {
   const Viewpoint view = rounded(turned({{1.0 / 3, -2e-5 / 3, 1234.5678901234}, {0, 1, 0}}, 0.123, 0.4));
   EXPECT_LE(toText(view).size(), 6 * 13u) << toText(view);
   EXPECT_EQ(rounded(view), view);
-  expectNear(view.eye, {1.0 / 3, -2e-5 / 3, 1234.5678901234}, 5e-4);  // half of the last digit of the largest
+  expectNear(view.eye, {1.0 / 3, -2e-5 / 3, 1234.5678901234},
+             5e-4);  // half a unit of the last digit of the largest component
 }
 
-TEST(Camera, ThePolesAreNeverReached) {
+TEST(Camera, PolesAreNeverReached) {
   Viewpoint top = orbited(kAhead, kAhead.target, 0, 10);
   EXPECT_GT(top.eye.y, 4.99);
   EXPECT_GT(glm::length(glm::cross(forwardOf(top), dvec3(0, 1, 0))), 0.008);
@@ -83,8 +84,8 @@ TEST(Camera, TurningRightLooksRight) {
   expectNear(forwardOf(view), {1, 0, 0});
 }
 
-TEST(Camera, APannedPointStaysUnderThePointer) {
-  // 90 degrees show 10 m at 5 m: in 100 px, 0.1 m each.
+TEST(Camera, PannedPointStaysUnderThePointer) {
+  // A field of view of 90 degrees spans 10 m at a distance of 5 m: 0.1 m per pixel of 100.
   Viewpoint view = panned(kAhead, 10, 20, 100, glm::radians(90.0));
   expectNear(view.eye, {-1, 2, 5});
   expectNear(view.target, {-1, 2, 0});

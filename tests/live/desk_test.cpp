@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the window works on, without a window.
+// The state of the window, tested without a window.
 #include "live/desk.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace desk_test {
 
 using DeskTest = oracle::RenderTest;
 
-// The first frame pays for its pipelines: it is drawn once more, so that its times are there before anything changes.
+// The first frame also compiles its pipelines: it is drawn again, so that its times are known before a change.
 TEST_F(DeskTest, TimesAreKnownBeforeAnyChange) {
   DeskOptions options;
   options.shot = oracle::with(oracle::shotOf("bar", 32, 16), "none");
@@ -35,14 +35,14 @@ std::vector<double> colourOf(const Side& side, int x, int y) {
   return {side.color.at(x, y, 0), side.color.at(x, y, 1), side.color.at(x, y, 2)};
 }
 
-// In every mode: what the picture shows at a pixel, and of which side.
-TEST_F(DeskTest, AValueIsThatOfTheSideUnderThePointer) {
+// Values under the pointer, and their side, in every mode.
+TEST_F(DeskTest, ValuesAreOfTheSideUnderThePointer) {
   DeskOptions options;
   options.shot = oracle::with(oracle::shotOf("half_plane", 32, 16, {{"edge", 24}, {"d_f", 20}}), "none");
   options.versus = "ground_truth";
   options.versus_sets = {{"samples", int64_t(5)}};
   Desk desk(bench(), options);
-  EXPECT_EQ(desk.look().mode, Mode::Wipe) << "B is in sight from the beginning";
+  EXPECT_EQ(desk.look().mode, Mode::Wipe) << "the wipe shows B from the start";
   while (desk.busy()) desk.turn();
   const int x = 12, y = 8, line = 16;
   ASSERT_NE(colourOf(desk.a(), x, y), colourOf(*desk.b(), x, y));
@@ -75,13 +75,13 @@ TEST_F(DeskTest, AValueIsThatOfTheSideUnderThePointer) {
   desk.turn();
   values = desk.valuesAt(x, y, 0);
   ASSERT_EQ(values.size(), 2u);
-  EXPECT_EQ(values[0].side, 'B') << "the line stands left of it";
+  EXPECT_EQ(values[0].side, 'B') << "the pixel is right of the wipe line";
   EXPECT_EQ(values[0].values[0], meanDifference(desk.b()->color, desk.truth().mean(), x, y));
   EXPECT_TRUE(desk.valuesAt(32, y, 0).empty());
 }
 
-// The legend has what colours mean; where both halves mean the same, once.
-TEST_F(DeskTest, LegendsAreThoseOfThePicture) {
+// Legends describe the colours of the picture; two halves with the same meaning share a legend.
+TEST_F(DeskTest, LegendsDescribeThePicture) {
   DeskOptions options;
   options.shot = oracle::with(oracle::shotOf("half_plane", 32, 16, {{"edge", 8}, {"d_f", 20}}), "none");
   options.versus = "ground_truth";
@@ -89,7 +89,7 @@ TEST_F(DeskTest, LegendsAreThoseOfThePicture) {
   Desk desk(bench(), options);
   while (desk.busy()) desk.turn();
   desk.picture(0);
-  EXPECT_EQ(desk.legends()[0].kind, image::Legend::Kind::none) << "of colours";
+  EXPECT_EQ(desk.legends()[0].kind, image::Legend::Kind::none) << "colours have no legend";
   desk.viewPort("velocity");
   while (desk.busy()) desk.turn();
   desk.picture(0);
@@ -103,8 +103,8 @@ TEST_F(DeskTest, LegendsAreThoseOfThePicture) {
   EXPECT_GT(image::pictureOf(desk.legends()[0]).width, 100);
 }
 
-// Frames are drawn until the value has settled, without any change of the shot. A value set by hand ends the budget.
-TEST_F(DeskTest, ABudgetSetsTheQuality) {
+// Frames are drawn until the value has settled, without a change of the shot. A value set by the user ends the budget.
+TEST_F(DeskTest, BudgetSetsTheQuality) {
   DeskOptions options;
   options.shot = oracle::with(oracle::shotOf("bar", 32, 16), "adaptive");
   options.budget_ms = 1e6;
@@ -120,7 +120,7 @@ TEST_F(DeskTest, ABudgetSetsTheQuality) {
   const int drawn = desk.a().frames_drawn;
   EXPECT_LT(drawn, 50);
   desk.turn();
-  EXPECT_EQ(desk.a().frames_drawn, drawn) << "a picture at rest is not drawn again";
+  EXPECT_EQ(desk.a().frames_drawn, drawn) << "a settled picture is not drawn again";
   desk.budget().set(1e-6);
   desk.turn();
   EXPECT_EQ(settled(), 0);
@@ -133,11 +133,11 @@ TEST_F(DeskTest, ABudgetSetsTheQuality) {
   while (desk.busy()) desk.turn();
   EXPECT_EQ(BudgetKeeper::param(desk.a()), nullptr);
   desk.sides().usePipeline("adaptive");
-  EXPECT_EQ(settled(), 1) << "the budget holds for the next pipeline that has a quality";
+  EXPECT_EQ(settled(), 1) << "the budget applies to the next pipeline with a quality";
 }
 
-// Going round what is under the pointer: it is as far away afterwards, in the same pixel.
-TEST_F(DeskTest, AnOrbitKeepsTheDepthUnderThePointer) {
+// An orbit about the surface under the pointer keeps its depth and pixel.
+TEST_F(DeskTest, OrbitKeepsTheDepthUnderThePointer) {
   DeskOptions options;
   options.shot.scene = "living_room";
   options.shot.pipeline = "none";
@@ -149,7 +149,7 @@ TEST_F(DeskTest, AnOrbitKeepsTheDepthUnderThePointer) {
   settle();
   for (const auto& [x, y] : {std::pair(48, 27), std::pair(20, 40), std::pair(80, 45)}) {
     ASSERT_TRUE(desk.a().depthAt(x, y));
-    // The scene's own camera may roll, and be nearer to its text than seven digits.
+    // The scene's camera may roll and has more than seven digits: replace it by a rounded viewpoint without roll.
     desk.sides().setViewpoint(desk.sides().viewpoint());
     settle();
     const double before = *desk.a().depthAt(x, y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file that drives the window: what is read, what is refused.
+// Parsing of drive files, which control the window.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -24,14 +24,14 @@ TEST(Drive, LinesBecomeCommandsWithTheirPlaces) {
   EXPECT_EQ(commands[1].place.line, 4);
 }
 
-TEST(Drive, QuotationMarksHoldWordsTogether) {
+TEST(Drive, QuotationMarksJoinWords) {
   auto commands = parseDrive("set scene \"my scene #2.lua\"\nsearch\nset name \"\"\n", "a");
   EXPECT_EQ(commands[0].arguments[1], "my scene #2.lua");
   EXPECT_TRUE(commands[1].arguments.empty());
   EXPECT_EQ(commands[2].arguments[1], "");
 }
 
-TEST(Drive, MistakesAreNamedWithTheirLineAllAtOnce) {
+TEST(Drive, AllMistakesAreNamedWithTheirLine) {
   EXPECT_EQ(refusalOf("viev color\n"), "a.drive:1: unknown command 'viev'; did you mean 'view'?");
   EXPECT_EQ(refusalOf("set exposure\n"), "a.drive:1: 'set' takes NAME VALUE, got 1 argument");
   EXPECT_EQ(refusalOf("quit now\n"), "a.drive:1: 'quit' takes nothing, got 1 argument");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The guide of the window names every key and every command of a drive file, in the words of the program.
+// The window's guide lists every key and every command of a drive file, in the words of the program.
 #include <gtest/gtest.h>
 
 #include <regex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys in their order, however few frames there are.
+// Key events keep their order at any frame rate.
 #include "live/input_queue.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using Kind = InputEvent::Kind;
 class InputQueueTest : public ::testing::Test {
  protected:
   void key(int code, int action, int mods = 0) { queue_.add({Kind::Key, code, 0, action, mods}); }
-  // A key that prints, pressed and let go.
+  // Presses and releases a printing key for each character.
   void type(const std::string& text) {
     for (char c : text) {
       int code = std::toupper(c);
@@ -27,7 +27,7 @@ class InputQueueTest : public ::testing::Test {
       key(code, GLFW_RELEASE);
     }
   }
-  // A frame: what is typed into the box, if that has the keyboard.
+  // Takes a frame's events; returns the text typed into the box if the box has the keyboard focus.
   std::string frame() {
     std::string text;
     for (const InputEvent& event : queue_.take(typing_))
@@ -39,8 +39,8 @@ class InputQueueTest : public ::testing::Test {
   bool typing_ = false;
 };
 
-// All of it came in one long frame; the box has the keyboard some frames after it was asked to take it.
-TEST_F(InputQueueTest, WhatFollowsASearchIsTextOfItsBox) {
+// All events arrive in one long frame; the box gets the keyboard focus some frames after its request.
+TEST_F(InputQueueTest, TextAfterASearchGoesToItsBox) {
   type("/edge");
   EXPECT_EQ(frame(), "");
   EXPECT_EQ(queue_.takePressed(), std::vector<int>{'/'});
@@ -50,12 +50,12 @@ TEST_F(InputQueueTest, WhatFollowsASearchIsTextOfItsBox) {
     EXPECT_FALSE(queue_.isHeld('E') || queue_.isHeld('D'));
   }
   typing_ = true;
-  EXPECT_EQ(frame(), "edge") << "as soon as it has it";
+  EXPECT_EQ(frame(), "edge") << "in the first frame with the focus";
   EXPECT_TRUE(queue_.takePressed().empty());
   EXPECT_TRUE(queue_.empty());
 }
 
-TEST_F(InputQueueTest, WhereNoBoxOpensKeysAreCommandsAgain) {
+TEST_F(InputQueueTest, WithoutABoxKeysAreCommandsAgain) {
   type("/5");
   std::vector<int> commands;
   for (int i = 0; i < 10; ++i) {
@@ -65,8 +65,8 @@ TEST_F(InputQueueTest, WhereNoBoxOpensKeysAreCommandsAgain) {
   EXPECT_EQ(commands, (std::vector<int>{'/', '5'}));
 }
 
-// Escape leaves the box, Tab goes to the next, a click gives the keyboard away: the answer comes frames later.
-TEST_F(InputQueueTest, KeysWaitForWhereTheKeyboardGoes) {
+// Escape leaves the box, Tab moves to the next box, a click moves the keyboard focus: the result is known frames later.
+TEST_F(InputQueueTest, KeysWaitForTheKeyboardFocus) {
   for (int leaving : {GLFW_KEY_ESCAPE, GLFW_KEY_ENTER, GLFW_KEY_TAB}) {
     typing_ = true;
     type("a");
@@ -90,9 +90,9 @@ TEST_F(InputQueueTest, KeysWaitForWhereTheKeyboardGoes) {
   queue_.add({Kind::Button, 0, 0, GLFW_RELEASE, 0, dvec2(5, 6)});
   type("x");
   frame();
-  EXPECT_TRUE(queue_.isDown(0)) << "for a frame at least";
+  EXPECT_TRUE(queue_.isDown(0)) << "for at least one frame";
   ASSERT_TRUE(queue_.pointer());
-  EXPECT_EQ(*queue_.pointer(), dvec2(3, 4)) << "where it was pressed";
+  EXPECT_EQ(*queue_.pointer(), dvec2(3, 4)) << "position of the press";
   frame();
   EXPECT_FALSE(queue_.isDown(0));
   typing_ = true;
@@ -100,8 +100,8 @@ TEST_F(InputQueueTest, KeysWaitForWhereTheKeyboardGoes) {
   EXPECT_FALSE(queue_.pointer());
 }
 
-// Control, A, both let go, in one frame: the box sees A go down while Control is down.
-TEST_F(InputQueueTest, AShortcutIsSeen) {
+// Control, A and both releases in one frame: the box reads A as pressed while Control is down.
+TEST_F(InputQueueTest, ShortcutReachesTheBox) {
   typing_ = true;
   key(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
   key('A', GLFW_PRESS, GLFW_MOD_CONTROL);
@@ -111,7 +111,7 @@ TEST_F(InputQueueTest, AShortcutIsSeen) {
   EXPECT_EQ(queue_.take(true).size(), 2u);
 }
 
-TEST_F(InputQueueTest, KeysAreHeldAsCommandsAlone) {
+TEST_F(InputQueueTest, OnlyCommandKeysAreHeld) {
   key('W', GLFW_PRESS);
   frame();
   EXPECT_TRUE(queue_.isHeld('W'));
@@ -122,17 +122,17 @@ TEST_F(InputQueueTest, KeysAreHeldAsCommandsAlone) {
   EXPECT_FALSE(queue_.isHeld('W'));
   key('A', GLFW_PRESS, GLFW_MOD_CONTROL);
   frame();
-  EXPECT_FALSE(queue_.isHeld('A')) << "a shortcut";
+  EXPECT_FALSE(queue_.isHeld('A')) << "part of a shortcut";
   typing_ = true;
   key('D', GLFW_PRESS);
   frame();
   typing_ = false;
   frame();
-  EXPECT_FALSE(queue_.isHeld('D')) << "a letter of a text";
+  EXPECT_FALSE(queue_.isHeld('D')) << "part of typed text";
 }
 
-// A key that goes down and up within one long frame is down for one all the same; repeats are taken at once.
-TEST_F(InputQueueTest, AShortPressIsNotLost) {
+// A key pressed and released within one long frame is down for one frame; repeats are delivered at once.
+TEST_F(InputQueueTest, ShortPressIsNotLost) {
   key('W', GLFW_PRESS);
   key('W', GLFW_RELEASE);
   frame();

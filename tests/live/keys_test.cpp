@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of keys: each key once, each action reachable, nothing undescribed.
+// The table of keys: no key or action occurs twice, and all actions have a key and a description.
 #include "live/keys.h"
 
 #include <gtest/gtest.h>
@@ -12,17 +12,17 @@
 namespace strobe::live {
 namespace keys_test {
 
-TEST(Keys, EveryKeyStandsOnce) {
+TEST(Keys, EveryKeyOccursOnce) {
   std::set<int> codes;
   std::set<std::string> shown;
   std::set<Action> actions;
   for (const KeyBinding& key : keys()) {
     EXPECT_TRUE(codes.insert(key.code).second) << key.shown;
     EXPECT_TRUE(shown.insert(key.shown).second) << key.shown;
-    EXPECT_TRUE(actions.insert(key.action).second) << key.shown << " does what another key does";
+    EXPECT_TRUE(actions.insert(key.action).second) << key.shown << " has the action of another key";
     EXPECT_NE(std::string(key.doc), "") << key.shown;
   }
-  // A held key is known by its place on the keyboard, where capitals count.
+  // A held key is identified by its position on the keyboard: case does not matter.
   for (const HeldKey& key : heldKeys()) {
     EXPECT_TRUE(codes.insert(std::tolower(key.code)).second) << key.shown;
     EXPECT_TRUE(shown.insert(key.shown).second) << key.shown;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames that the window plays before it begins anew.
+// Number of frames that the window plays before it starts again.
 #include <gtest/gtest.h>
 
 #include "common/home.h"
@@ -20,7 +20,7 @@ scene::Scene sceneOf(double loop_s, double clip_s) {
   return scene;
 }
 
-TEST(Loop, IsTheScenesElseTheLongestClipsElseTwoSeconds) {
+TEST(Loop, IsOfTheSceneOrTheLongestClipOrTwoSeconds) {
   EXPECT_EQ(scene::loopFrames(sceneOf(0.5, 3), 24), 12);
   EXPECT_EQ(scene::loopFrames(sceneOf(0, 3), 24), 72);
   EXPECT_EQ(scene::loopFrames(sceneOf(0, 0), 24), 48);
@@ -29,8 +29,8 @@ TEST(Loop, IsTheScenesElseTheLongestClipsElseTwoSeconds) {
     EXPECT_EQ(scene::loopFrames(sceneOf(0, float(frames / 24.)), 24), frames);
 }
 
-// The middle of the vase across the picture of the living room, from -1 (left edge) to 1.
-TEST(Loop, TheVaseOfTheLivingRoomIsInEachFrameOfIt) {
+// The vase's centre across the picture of the living room, from -1 (left edge) to 1.
+TEST(Loop, HasTheVaseOfTheLivingRoomInEveryFrame) {
   const Json description = script::evaluateScene(home(), "living_room", {{"scene.pixels", "60"}});
   const scene::Painter unpainted = [](scene::Pattern pattern) {
     pattern.width = pattern.height = 1;

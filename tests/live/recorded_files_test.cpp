@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A recording while files are edited and made: each version has what was there then, and the script what its scene
-// suggested then. That pictures come again: program/live_test.cpp.
+// A recording while files are edited and created: each version has the files of its time, and the script leaves out the
+// suggestions of the scene at that time. program/live_test.cpp draws the pictures again.
 #include <stdlib.h>
 
 #include <chrono>
@@ -32,7 +32,7 @@ void turn(Desk& desk, Recording& recording) {
   recording.look(desk, false);
 }
 
-TEST_F(RecordedFiles, EachVersionHasWhatWasThereThen) {
+TEST_F(RecordedFiles, EachVersionHasTheFilesOfItsTime) {
   testing::TemporaryFolder folder;
   FrozenHome copy(bench().home(), folder.path() / "home");
   const Home& home = copy.home();
@@ -72,8 +72,9 @@ TEST_F(RecordedFiles, EachVersionHasWhatWasThereThen) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "\nin\n" << text;
 }
 
-// A file that came changes no picture until it is chosen, and a shader that came after it is read by no script.
-TEST_F(RecordedFiles, AFileThatCameIsThereFromThenOn) {
+// A new file does not change the picture until it is chosen; a shader created after its pass belongs to no earlier
+// version.
+TEST_F(RecordedFiles, NewFileIsInAllLaterVersions) {
   testing::TemporaryFolder folder;
   FrozenHome copy(bench().home(), folder.path() / "home");
   const Home& home = copy.home();
@@ -98,7 +99,7 @@ TEST_F(RecordedFiles, AFileThatCameIsThereFromThenOn) {
   const std::string declared = readText(home.shipped() / "passes/edge/sobel.lua");
   writeFileAtomically(made, std::regex_replace(declared, std::regex("edge([_/])sobel"), "edge$1made"));
   turns_until([&] { return desk.sides().reloads() == 1; });
-  EXPECT_EQ(desk.sides().swaps(), 0) << "nothing is drawn with it";
+  EXPECT_EQ(desk.sides().swaps(), 0) << "no pass of the pipeline uses the new file";
   EXPECT_EQ(desk.sides().takeMessage(), "new choice edge = made");
   writeFileAtomically(shader, readText(home.shipped() / "shaders/edge/sobel.glsl"));
   desk.sides().set("edge", "made", "window");
@@ -110,10 +111,10 @@ TEST_F(RecordedFiles, AFileThatCameIsThereFromThenOn) {
   recording.write(folder.path() / "it.lua", own.limits);
 
   const std::string text = readText(folder.path() / "it.lua");
-  std::map<std::string, int> arms;  // by the number of their files
+  std::map<std::string, int> arms;  // key: version of the files
   const std::regex arm("edge = \"made\"[^\\n]*files = \"it/files_([0-9])\"");
   for (std::sregex_iterator it(text.begin(), text.end(), arm), end; it != end; ++it) ++arms[(*it)[1]];
-  EXPECT_EQ(arms.size(), 2u) << "with the shader as it came, and as it was edited\n" << text;
+  EXPECT_EQ(arms.size(), 2u) << "with the first and the edited version of the shader\n" << text;
   for (const auto& [number, count] : arms) {
     const Path version = folder.path() / ("it/files_" + number);
     FrozenHome again(home, folder.path() / "again", version);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which states of the window become moments, and the script they make. That it runs: program/live_test.cpp.
+// States of the window that become moments, and the script made from moments. program/live_test.cpp runs the script.
 #include <gtest/gtest.h>
 
 #include "live/capture_text.h"
@@ -25,13 +25,13 @@ Moment at(double x, Moment moment = recording_test::moment()) {
   return moment;
 }
 
-TEST(Moments, WhatDoesNotChangeIsOne) {
+TEST(Moments, RepeatedStateIsOneMoment) {
   Moments moments;
   for (int i = 0; i < 3; ++i) moments.add(moment());
   EXPECT_EQ(moments.all().size(), 1u);
 }
 
-TEST(Moments, ADraggedValueIsOneATypedOneIsItsOwn) {
+TEST(Moments, DraggedValueIsOneMomentAndTypedValueAnother) {
   Moments moments;
   moments.add(moment());
   for (int value : {3, 5, 8}) {
@@ -39,7 +39,7 @@ TEST(Moments, ADraggedValueIsOneATypedOneIsItsOwn) {
     dragged.goes_on = true;
     moments.add(dragged);
   }
-  moments.add(with("samples", int64_t(8)));  // let go
+  moments.add(with("samples", int64_t(8)));  // released
   ASSERT_EQ(moments.all().size(), 2u);
   EXPECT_EQ(std::get<int64_t>(moments.all()[1].shots[0].sets[0].second), 8);
   EXPECT_EQ(moments.all()[1].changed, std::vector<std::string>{"samples"});
@@ -47,18 +47,18 @@ TEST(Moments, ADraggedValueIsOneATypedOneIsItsOwn) {
   EXPECT_EQ(moments.all().size(), 3u);
 }
 
-TEST(Moments, ACameraThatFliesIsOneAndBackIsNone) {
+TEST(Moments, FlightIsOneMomentAndReturnRemovesIt) {
   Moments moments;
   moments.add(moment());
   for (double x : {0.1, 0.2, 0.3}) moments.add(at(x));
   ASSERT_EQ(moments.all().size(), 2u);
   EXPECT_EQ((*moments.all()[1].shots[0].view)[0], 0.3);
   moments.add(moment());
-  EXPECT_EQ(moments.all().size(), 1u) << "back where it was";
+  EXPECT_EQ(moments.all().size(), 1u) << "camera is back at its start";
   moments.add(at(0.1));
   moments.markSaved();
   moments.add(at(0.2));
-  EXPECT_EQ(moments.all().size(), 3u) << "what was saved stays";
+  EXPECT_EQ(moments.all().size(), 3u) << "saved moments stay";
 }
 
 TEST(Moments, PlayedFramesAreASequence) {
@@ -73,7 +73,7 @@ TEST(Moments, PlayedFramesAreASequence) {
   EXPECT_EQ(moments.all()[0].first_frame, 2);
   EXPECT_EQ(moments.all()[0].shots[0].frame, 5);
   moments.add(with("samples", int64_t(3), moment(3)));
-  ASSERT_EQ(moments.all().size(), 2u) << "where it came to rest";
+  ASSERT_EQ(moments.all().size(), 2u) << "the frame after playing is a moment";
   EXPECT_EQ(moments.all()[1].first_frame, 3);
 }
 
@@ -118,8 +118,8 @@ TEST(CaptureText, HasSequencesAndVersionsOfFiles) {
   expectIn(text, "step = 3");
 }
 
-// What is left out is what the scene suggests where the files are those of the moment.
-TEST(CaptureText, LeavesOutWhatTheSceneSuggestedThen) {
+// A shot leaves out values that its scene suggests; each version of the files may suggest other values.
+TEST(CaptureText, LeavesOutSuggestionsOfTheScenesVersion) {
   Moment before = moment(), after = moment();
   before.shots[0].exposure = 0.75, after.shots[0].exposure = 0.75, after.files = 1;
   Recorded recorded = recordedOf({before, after});
@@ -131,7 +131,7 @@ TEST(CaptureText, LeavesOutWhatTheSceneSuggestedThen) {
   expectIn(text, "files = \"it/files_2\", shots = { \"view_2\" }");
 }
 
-TEST(CaptureText, ShowsWhatWasSavedElseEverything) {
+TEST(CaptureText, ShowsSavedMomentsOrAll) {
   std::vector<Moment> states = {moment(), with("samples", int64_t(8)), with("samples", int64_t(9))};
   std::string all = captureText(recordedOf(states));
   expectIn(all, "row = 1, column = 3");

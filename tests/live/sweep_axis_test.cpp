@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which values a sweep gives to a control: suggested by its declaration, by range, or listed.
+// Values that a sweep gives to a control: suggested by its declaration, by a range, or listed.
 #include "live/sweep_axis.h"
 
 #include <gtest/gtest.h>
@@ -56,16 +56,16 @@ std::string messageOf(const std::function<void()>& step) {
   return "";
 }
 
-TEST(SweepAxis, SuggestsWhatTheDeclarationSpans) {
+TEST(SweepAxis, SuggestsTheDeclaredRange) {
   EXPECT_EQ(textOf(axisOf(whole(16, 4, 64))), "4 8 16 32 64") << "far apart: by factors of two";
-  EXPECT_EQ(textOf(axisOf(whole(2, 1, 5))), "1 2 3 4 5") << "few whole numbers: all of them";
+  EXPECT_EQ(textOf(axisOf(whole(2, 1, 5))), "1 2 3 4 5") << "few whole numbers: each one";
   EXPECT_EQ(textOf(axisOf(real(0.5, 0, 1))), "0 0.2 0.4 0.6 0.8 1");
   EXPECT_TRUE(axisOf(whole(16, 4, 64)).logarithmic);
   EXPECT_FALSE(axisOf(real(0.5, 0, 1)).logarithmic);
 }
 
-TEST(SweepAxis, SuggestsWhatLiesAroundTheValueOfAWideRange) {
-  EXPECT_EQ(textOf(axisOf(real(0.5, 0, 1000))), "0.125 0.25 0.5 1 2") << "an exposure is no 1000 frames";
+TEST(SweepAxis, SuggestsValuesNearTheCurrentOneInAWideRange) {
+  EXPECT_EQ(textOf(axisOf(real(0.5, 0, 1000))), "0.125 0.25 0.5 1 2") << "near the value, not across the wide range";
   EXPECT_EQ(textOf(axisOf(real(24, 1e-3, 1e6))), "6 12 24 48 96");
   EXPECT_EQ(textOf(axisOf(real(-2, {}, {}))), "-8 -6 -4 -2 0 2");
   EXPECT_EQ(textOf(axisOf(real(0, {}, {}))), "0 0.2 0.4 0.6 0.8 1");
@@ -78,25 +78,25 @@ TEST(SweepAxis, HasAllValuesOfSwitchesAndChoices) {
   toggle.value = true;
   EXPECT_EQ(textOf(axisOf(toggle)), "false true");
   EXPECT_EQ(textOf(axisOf(choice(3))), "a b c");
-  EXPECT_EQ(textOf(axisOf(choice(12), kMostOfTwo)), "a b c d e f g l") << "the first, and the one it has";
+  EXPECT_EQ(textOf(axisOf(choice(12), kMostOfTwo)), "a b c d e f g l") << "the first values and the current one";
 }
 
-TEST(SweepAxis, WhatHasNoValuesCannotBeSwept) {
+TEST(SweepAxis, ControlWithoutValuesCannotBeSwept) {
   EXPECT_FALSE(canBeSwept(choice(0))) << "any text";
   EXPECT_FALSE(canBeSwept(choice(1)));
   EXPECT_TRUE(canBeSwept(choice(2)));
   EXPECT_NE(messageOf([] { axisOf(choice(1)); }).find("no values"), std::string::npos);
 }
 
-TEST(SweepAxis, GoesThroughARange) {
+TEST(SweepAxis, CoversARange) {
   ParamDesc samples = whole(8, 1, 64).declaration, share = real(0, 0, 1).declaration;
   EXPECT_EQ(textOf(axisOf(samples, SweepRange{2, 18, 3, true})), "2 6 18");
-  EXPECT_EQ(textOf(axisOf(samples, SweepRange{1, 3, 9, false})), "1 2 3") << "of those that come out alike, one";
+  EXPECT_EQ(textOf(axisOf(samples, SweepRange{1, 3, 9, false})), "1 2 3") << "equal values after rounding occur once";
   EXPECT_EQ(textOf(axisOf(share, SweepRange{0.9, 0.3, 3, false})), "0.9 0.6 0.3") << "downwards";
-  EXPECT_EQ(textOf(axisOf(share, SweepRange{0, 0.3, 4, false})), "0 0.1 0.2 0.3") << "no digits that were computed";
+  EXPECT_EQ(textOf(axisOf(share, SweepRange{0, 0.3, 4, false})), "0 0.1 0.2 0.3") << "without rounding digits";
 }
 
-TEST(SweepAxis, RefusesARangeThatCannotBe) {
+TEST(SweepAxis, RefusesInvalidRanges) {
   ParamDesc declaration = real(0.5, 0, 1).declaration;
   auto refusal = [&](const SweepRange& range) { return messageOf([&] { axisOf(declaration, range); }); };
   EXPECT_EQ(refusal({0, 2, 3, false}), "sweep of x: 2 is out of range");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of a saved sweep. That it runs: program/live_test.cpp.
+// The text of a saved sweep. program/live_test.cpp runs it.
 #include "live/sweep_file.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ void expectLine(const SavedSweep& sweep, const std::string& line) {
   EXPECT_NE(text.find(line), std::string::npos) << line << "\nin\n" << text;
 }
 
-TEST(SweepFile, HasWhatDiffersAndWhatVaries) {
+TEST(SweepFile, HasNonDefaultsAndTheAxis) {
   SavedSweep sweep = sample();
   expectLine(sweep, "title    = \"samples of gather\"");
   expectLine(sweep, "size     = { 64, 36 }");
@@ -56,7 +56,7 @@ TEST(SweepFile, HasMovesAndViews) {
   expectLine(sweep, "move = { card = { 0.6, 0, -1 } }, spin = { [\"a wheel\"] = { 0, 1, 0, 30 } }");
 }
 
-TEST(SweepFile, AxesThatAreNoParameters) {
+TEST(SweepFile, HasAxesThatAreNotParameters) {
   SavedSweep sweep = sample();
   sweep.regions = true;
   sweep.axes = {axis("exposure", plan::ParamDesc::Type::Float, {1.0, 0.5}),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sweeps without a window: pictures, errors and times of every value, what is taken, what makes it stale.
+// Sweeps without a window: pictures, errors and times of every value, use of values, and changes that make a sweep
+// stale.
 #include "live/sweep.h"
 
 #include <limits>
@@ -26,13 +27,13 @@ class SweepTest : public oracle::RenderTest {
   static lab::Control controlOf(Desk& desk, const std::string& name) {
     for (lab::Control& control : desk.a().session->controls())
       if (control.declaration.name == name) return control;
-    ADD_FAILURE() << "there is no " << name;
+    ADD_FAILURE() << "missing control: " << name;
     return {};
   }
   static std::string valueOf(Desk& desk, const std::string& name) {
     return lab::plainText(controlOf(desk, name).value);
   }
-  // Turns, as the window makes them.
+  // Runs the window's turns until the sweep is complete.
   static void finish(Desk& desk, Sweeper& sweeper, int samples = 1) {
     for (int i = 0; i < 2000 && !(sweeper.isComplete() && sweeper.sweep().samples() >= samples); ++i) {
       desk.turn();
@@ -55,15 +56,15 @@ TEST_F(SweepTest, EveryValueHasPictureErrorAndTime) {
     lab::Picture alone = render(oracle::with(shot(), "mcguire2012", {"samples=" + value}));
     EXPECT_TRUE(oracle::identical(point.color, image::threeChannels(oracle::colorOf(alone)))) << value;
     double now = image::rootMeanSquaredError(point.color, desk.truth().mean());
-    EXPECT_NEAR(*point.error, now, 0.1 * now) << value << ": at most a quarter of its samples is missing";
+    EXPECT_NEAR(*point.error, now, 0.1 * now) << value << ": at most a quarter of truth's samples is missing";
     EXPECT_EQ(point.ms.size(), size_t(Sweep::kRounds));
     EXPECT_GT(*point.median(), 0);
   }
-  EXPECT_EQ(valueOf(desk, "samples"), "16") << "the picture stays as it is";
+  EXPECT_EQ(valueOf(desk, "samples"), "16") << "the window's shot is unchanged";
 }
 
-// The window goes on between any two frames.
-TEST_F(SweepTest, ASliceIsOneFrameAtLeast) {
+// The window can draw between any two frames of a sweep.
+TEST_F(SweepTest, SliceIsAtLeastOneFrame) {
   GatheredTruth truth(bench(), "");
   Desk desk(bench(), options());
   SweepAxis axis = axisOf(controlOf(desk, "samples").declaration, std::vector<std::string>{"4", "8"});
@@ -75,14 +76,14 @@ TEST_F(SweepTest, ASliceIsOneFrameAtLeast) {
   }
   EXPECT_EQ(sweep.samples(), 0) << "no truth yet";
   EXPECT_TRUE(sweep.advance(truth, 0));
-  EXPECT_EQ(sweep.points()[0].ms.size(), 1u) << "times need none";
+  EXPECT_EQ(sweep.points()[0].ms.size(), 1u) << "times need no truth";
   EXPECT_TRUE(sweep.points()[1].ms.empty());
   sweep.stop();
   EXPECT_FALSE(sweep.advance(truth, 0));
   EXPECT_TRUE(sweep.isWhole());
 }
 
-TEST_F(SweepTest, ValuesThatChangeTruthHaveTheirOwn) {
+TEST_F(SweepTest, ValuesThatChangeTruthHaveTheirOwnTruth) {
   Desk desk(bench(), options());
   Sweeper sweeper;
   sweeper.open(desk, "exposure", false, {"0.25", "1"});
@@ -95,10 +96,10 @@ TEST_F(SweepTest, ValuesThatChangeTruthHaveTheirOwn) {
     EXPECT_EQ(*point.error, image::rootMeanSquaredError(point.color, truth.mean()));
   }
   EXPECT_NE(*sweeper.sweep().points()[0].error, *sweeper.sweep().points()[1].error);
-  EXPECT_EQ(desk.truth().samples(desk.shot()), 0) << "the window's is not needed";
+  EXPECT_EQ(desk.truth().samples(desk.shot()), 0) << "the window's truth is not used";
 }
 
-TEST_F(SweepTest, AValueIsTakenAsByItsControl) {
+TEST_F(SweepTest, TakingAValueSetsItsControl) {
   Desk desk(bench(), options());
   Sweeper sweeper;
   sweeper.open(desk, "samples", false, {"4", "8", "16"});
@@ -107,7 +108,7 @@ TEST_F(SweepTest, AValueIsTakenAsByItsControl) {
   EXPECT_EQ(valueOf(desk, "samples"), "4");
   EXPECT_EQ(controlOf(desk, "samples").origin, "window");
   EXPECT_TRUE(desk.a().stale);
-  EXPECT_FALSE(sweeper.isStale(desk)) << "it is one of the values";
+  EXPECT_FALSE(sweeper.isStale(desk)) << "the new value is one of the sweep's";
   sweeper.takeNext(desk, 1);
   EXPECT_EQ(valueOf(desk, "samples"), "8");
   sweeper.takeNext(desk, 7);
@@ -117,7 +118,7 @@ TEST_F(SweepTest, AValueIsTakenAsByItsControl) {
   EXPECT_FALSE(sweeper.isStale(desk));
 }
 
-TEST_F(SweepTest, AnythingElseMakesItStale) {
+TEST_F(SweepTest, OtherChangesMakeItStale) {
   Desk desk(bench(), options());
   Sweeper sweeper;
   sweeper.open(desk, "samples", false, {"4", "8"});
@@ -135,7 +136,7 @@ TEST_F(SweepTest, AnythingElseMakesItStale) {
   EXPECT_FALSE(sweeper.busy());
 }
 
-TEST_F(SweepTest, TwoControlsMakeAGrid) {
+TEST_F(SweepTest, TwoControlsGiveAGrid) {
   Desk desk(bench(), options());
   Sweeper sweeper;
   sweeper.open(desk, "samples", false, {"4", "8"});
@@ -151,8 +152,8 @@ TEST_F(SweepTest, TwoControlsMakeAGrid) {
   EXPECT_EQ(sweeper.sweep().points().size(), 2u);
 }
 
-// A drive file's `truth N` asks once and waits, while the sweep takes turns with it and ends.
-TEST_F(SweepTest, TruthThatWasAskedForIsGatheredToTheEnd) {
+// A drive file's `truth N` requests samples once and waits, while the sweep alternates with it and ends.
+TEST_F(SweepTest, RequestedTruthIsCompleted) {
   Desk desk(bench(), options());
   Sweeper sweeper;
   const int asked = Sweep::kEnough + 1;
@@ -166,7 +167,7 @@ TEST_F(SweepTest, TruthThatWasAskedForIsGatheredToTheEnd) {
   EXPECT_FALSE(desk.busy());
 }
 
-TEST_F(SweepTest, SaysWhatCannotBe) {
+TEST_F(SweepTest, RefusesInvalidSweeps) {
   Desk desk(bench(), options());
   Sweeper sweeper;
   auto messageOf = [](const std::function<void()>& step) {
@@ -200,7 +201,7 @@ TEST_F(SweepTest, SaysWhatCannotBe) {
             std::string::npos);
 }
 
-TEST_F(SweepTest, ThumbnailsAreMeans) {
+TEST_F(SweepTest, ThumbnailsAreBoxFiltered) {
   image::Image linear(384, 192, 3);
   for (int y = 0; y < linear.height; ++y)
     for (int x = 0; x < linear.width; x += 2) linear.at(x, y, 0) = 0.5f;
@@ -214,13 +215,13 @@ TEST_F(SweepTest, ThumbnailsAreMeans) {
   Desk desk(bench(), options());
   Sweeper sweeper;
   sweeper.open(desk, "samples", false, {"4", "8", "16"});
-  EXPECT_TRUE(thumbnailOf(sweeper.sweep().points()[0], nullptr).empty()) << "before it is drawn";
+  EXPECT_TRUE(thumbnailOf(sweeper.sweep().points()[0], nullptr).empty()) << "empty before the point is drawn";
   finish(desk, sweeper);
   const SweepPoint& point = sweeper.sweep().points()[0];
   EXPECT_EQ(thumbnailOf(point, nullptr).values, point.color.values);
 }
 
-// Whole pictures are too small for differences to show.
+// Differences are too small to be visible in a thumbnail of the whole picture.
 TEST_F(SweepTest, ThumbnailsShowTheCropWithTheLargestError) {
   Desk desk(bench(), options());
   Sweeper sweeper;

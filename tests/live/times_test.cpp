@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Histories of pass times: what was not measured is absent.
+// Histories of pass times: unmeasured times are absent.
 #include "live/times.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ graph::FrameResult frame(std::vector<graph::StepTime> times, double total) {
   return result;
 }
 
-TEST(Times, TheFirstFrameIsVoid) {
+TEST(Times, FirstFrameIsLeftOut) {
   TimeHistory history;
   history.add(frame({{"a", 100, 1}}, 100));
   EXPECT_FALSE(history.total().latest());
@@ -28,7 +28,7 @@ TEST(Times, TheFirstFrameIsVoid) {
   EXPECT_FALSE(history.lastIsVoid());
 }
 
-TEST(Times, AFrameAfterARebuildIsVoidAndTheRestStays) {
+TEST(Times, FrameAfterARebuildIsLeftOut) {
   TimeHistory history;
   for (int i = 0; i < 3; ++i) history.add(frame({{"a", double(i), 1}}, i));
   history.voidNext();

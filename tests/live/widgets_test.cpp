@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a declaration to a widget: every type, ranges and scales, what is said and what is found.
+// Widgets made from declarations: types, ranges, scales, tooltips and search.
 #include "live/widgets.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ ParamDesc choice(std::vector<std::string> choices) {
   return declaration;
 }
 
-TEST(Widgets, EveryTypeHasOne) {
+TEST(Widgets, EveryTypeHasAWidget) {
   ParamDesc toggle;
   toggle.type = ParamDesc::Type::Bool;
   EXPECT_EQ(widgetOf(toggle).kind, Kind::Checkbox);
@@ -51,13 +51,13 @@ TEST(Widgets, WideRangesAreLogarithmic) {
   EXPECT_FALSE(logarithmic(-5000, 5000)) << "no logarithm of negative values";
 }
 
-TEST(Widgets, AnEndlessRangeHasNoSlider) {
+TEST(Widgets, UnboundedRangeHasNoSlider) {
   Widget widget = widgetOf(number(ParamDesc::Type::Int, 0, 4294967295.0));
   EXPECT_EQ(widget.kind, Kind::IntDrag);
   EXPECT_EQ(widget.high, 4294967295.0);
 }
 
-TEST(Widgets, FormatsHaveTheUnit) {
+TEST(Widgets, FormatsIncludeTheUnit) {
   EXPECT_EQ(widgetOf(number(ParamDesc::Type::Float, 0, 1, "px")).format, "%.4g px");
   EXPECT_EQ(widgetOf(number(ParamDesc::Type::Int, 0, 1)).format, "%d");
   EXPECT_EQ(widgetOf(number(ParamDesc::Type::Float, 0, 1, "%")).format, "%.4g %%");
@@ -83,7 +83,7 @@ lab::Control sample() {
   return control;
 }
 
-TEST(Widgets, TheTooltipSaysAllThatIsDeclared) {
+TEST(Widgets, TooltipHasTheWholeDeclaration) {
   std::string text = tooltipOf(sample());
   for (const char* part :
        {"edges.reach", "How far it looks", "near: one pixel", "far: a tile", "preset best: far", "passes/x.lua:12"})
@@ -101,15 +101,15 @@ TEST(Widgets, SearchFindsWordsAnywhere) {
   EXPECT_FALSE(isFound(sample(), "reach nothing"));
 }
 
-TEST(Widgets, NamesAreShortInTheirGroup) {
+TEST(Widgets, NamesOmitTheirGroup) {
   EXPECT_EQ(shortName(sample()), "reach");
   lab::Control control = sample();
   control.group = "pipeline";
   EXPECT_EQ(shortName(control), "edges.reach");
 }
 
-// A number below the least stands for none, and is called so.
-TEST(Widgets, NoNumberIsCalledAuto) {
+// A number below the minimum means unset, and is shown as "auto".
+TEST(Widgets, UnsetNumberIsShownAsAuto) {
   lab::Control control = sample();
   control.declaration = number(ParamDesc::Type::Float, 0, 10, "s");
   control.value = -1.0;
@@ -118,13 +118,13 @@ TEST(Widgets, NoNumberIsCalledAuto) {
   EXPECT_NE(tooltipOf(control).find("preset best: auto"), std::string::npos) << tooltipOf(control);
 }
 
-TEST(Widgets, AnIdleControlSaysWhy) {
+TEST(Widgets, IdleControlHasAReason) {
   lab::Control control = sample();
   control.idle = "no pass reads it";
   EXPECT_NE(tooltipOf(control).find("has no effect: no pass reads it"), std::string::npos);
 }
 
-TEST(Widgets, ABarShowsThePlaceOfAValue) {
+TEST(Widgets, BarShowsTheValuesPosition) {
   Widget even = widgetOf(number(ParamDesc::Type::Float, -2, 6)),
          by_factors = widgetOf(number(ParamDesc::Type::Int, 1, 10000));
   EXPECT_DOUBLE_EQ(shareOf(even, 0), 0.25);

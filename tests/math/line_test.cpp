@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line through points small enough to work out by hand.
+// A line fitted through hand-computed points.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace strobe {
 namespace line_test {
 
-// Sums of squares about the means 2 and 5: 10 of x, 21 of both, 46 of y, so that 46 - 44.1 = 1.9 are left. What 97.5 %
-// of Student's t with 3 degrees of freedom lie below is scipy.stats.t.ppf(0.975, 3).
-TEST(LineFit, GoesThroughPoints) {
+// Sums of squares about the means 2 and 5: 10 of x, 21 of x and y, 46 of y; residual 46 - 44.1 = 1.9. The 97.5 %
+// quantile of Student's t with 3 degrees of freedom is scipy.stats.t.ppf(0.975, 3).
+TEST(LineFit, FitsPoints) {
   LineFit line = lineThrough({0, 1, 2, 3, 4}, {1, 3, 4, 8, 9});
   EXPECT_NEAR(line.slope.value, 2.1, 1e-12);
   EXPECT_NEAR(line.intercept, 0.8, 1e-12);
@@ -22,7 +22,7 @@ TEST(LineFit, GoesThroughPoints) {
   EXPECT_NEAR(line.at(10), 21.8, 1e-12);
 }
 
-TEST(LineFit, SaysNothingOfTooLittle) {
+TEST(LineFit, TooFewPointsGiveNoNumber) {
   LineFit two = lineThrough({1, 3}, {5, 9});
   EXPECT_DOUBLE_EQ(two.slope.value, 2);
   EXPECT_DOUBLE_EQ(two.intercept, 3);
@@ -30,7 +30,7 @@ TEST(LineFit, SaysNothingOfTooLittle) {
   EXPECT_TRUE(std::isnan(lineThrough({1, 1, 1}, {2, 3, 4}).slope.value)) << "x does not vary";
   LineFit flat = lineThrough({1, 2, 3}, {4, 4, 4});
   EXPECT_DOUBLE_EQ(flat.slope.value, 0);
-  EXPECT_TRUE(std::isnan(flat.r2)) << "there is nothing to explain";
+  EXPECT_TRUE(std::isnan(flat.r2)) << "y has no variance";
   EXPECT_TRUE(std::isnan(lineThrough({}, {}).intercept));
 }
 

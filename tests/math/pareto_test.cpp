@@ -9,16 +9,16 @@
 namespace strobe {
 namespace pareto_test {
 
-TEST(Pareto, TheFrontIsWhatNothingDominates) {
+TEST(Pareto, FrontHasTheUndominatedPoints) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(paretoFront({{3, 1}, {1, 3}, {2, 2}, {2, 3}, {3, 2}, {1, 3}, {0, none}, {none, 0}}),
             (std::vector<size_t>{1, 2, 0}))
-      << "of equal points the first";
+      << "the first of equal points";
   EXPECT_TRUE(paretoFront({}).empty());
 }
 
-// By the definition, pair by pair.
-TEST(Pareto, IsThatOfTheDefinition) {
+// The definition, tested for every pair.
+TEST(Pareto, MatchesTheDefinition) {
   std::mt19937 random(3);
   std::vector<std::pair<double, double>> points;
   for (int i = 0; i < 300; ++i) points.emplace_back(random() % 40, random() % 40);

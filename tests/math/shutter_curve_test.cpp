@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shutter curves against their integrals by hand, and against their own mirror images bit for bit.
+// Shutter curves compared with hand-computed integrals, and bit for bit with their own mirror images.
 #include "math/shutter_curve.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace strobe {
 namespace shutter_curve_test {
 
-// The share of the weight before a time.
+// A curve and its integral up to time t.
 struct Case {
   std::string text;
   std::function<double(double)> share;
@@ -28,18 +28,18 @@ double erfShare(double sigma, double reach, double t) {
 const std::vector<Case>& cases() {
   static const std::vector<Case> cases = {
       {"triangle", [](double t) { return t < .5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }},
-      {"trapezoid",  // a quarter each: area 3/4
+      {"trapezoid",  // opening and closing take 1/4 each: area 3/4
        [](double t) {
          if (t < .25) return 2 * t * t / .75;
          return t < .75 ? (.125 + (t - .25)) / .75 : 1 - 2 * (1 - t) * (1 - t) / .75;
        }},
       {"trapezoid:0.5,0", [](double t) { return t < .5 ? t * t / .75 : (.25 + (t - .5)) / .75; }},
-      // Straight between 61 knots: a density off by at most h^2/8 of its bend.
+      // Piecewise linear with 61 knots: the density has an error of at most h^2/8 times its second derivative.
       {"gaussian", [](double t) { return erfShare(1. / 6, .5, t); }, 1e-3},
       {"gaussian:0.05", [](double t) { return erfShare(.05, .2, t); }, 2e-3},
       {"0,1", [](double t) { return t * t; }},
       {"3,1", [](double t) { return (3 * t - t * t) / 2; }},
-      // Twice open, with nothing in between.
+      // Open twice, closed in between.
       {"0=1,0.25=1,0.25=0,0.75=0,0.75=1,1=1",
        [](double t) { return t < .25   ? 2 * t
                              : t < .75 ? .5
@@ -90,7 +90,7 @@ TEST(ShutterCurve, MirrorImagesAreMirroredBitForBit) {
   }
 }
 
-TEST(ShutterCurve, EvenWeightsAreABox) {
+TEST(ShutterCurve, ConstantWeightsAreABox) {
   for (const char* text : {"box", "1,1", "2,2,2", "trapezoid:0,0", "0=3,0.3=3,1=3"}) {
     ShutterCurve curve = ShutterCurve::from(text);
     EXPECT_TRUE(curve.isBox()) << text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The operators on small texts, the draw, and the run from outside on a mutant that is known to be caught.
+// The operators on short texts, the random draw, and a run of the program on a mutant that a test catches.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,7 +20,7 @@ std::vector<Mutant> mutantsIn(const std::string& text) {
   return mutantsOf("a.glsl", text, {{{"finite", "float"}}, {"unlike"}});
 }
 
-// What an operator makes of a text.
+// Texts that an operator makes from a text.
 std::set<std::string> made(const std::string& text, MutationOperator op) {
   std::set<std::string> texts;
   for (const Mutant& mutant : mutantsIn(text))
@@ -31,8 +31,8 @@ std::set<std::string> made(const std::string& text, MutationOperator op) {
 using Texts = std::set<std::string>;
 using enum MutationOperator;
 
-// A sample for each operator.
-TEST(Mutants, AreThoseOfTheirOperators) {
+// An example for each operator.
+TEST(Mutants, FollowTheirOperators) {
   EXPECT_EQ(made("x -= -f(a) - b;", Sign), (Texts{"x += -f(a) - b;", "x -= f(a) - b;", "x -= -f(a) + b;"}));
   EXPECT_EQ(made("x = 1e-4;", Constant), (Texts{"x = 0.0;", "x = 0.0002;"}));
   EXPECT_EQ(made("b = x < y << z;", Comparison), (Texts{"b = x <= y << z;", "b = x > y << z;"}));
@@ -47,8 +47,8 @@ TEST(Mutants, AreThoseOfTheirOperators) {
       mutantsIn("layout(location = 0) in vec2 uv;\nstruct A { float x[2]; };\n// a + 1\n#define A (1 + 2)\n").empty());
 }
 
-// Every mutant of every shader that ships differs from it in its own place alone, outside of comments.
-TEST(Mutants, OfTheShadersDifferInTheirPlaceAlone) {
+// Every mutant of every shipped shader differs from it only at its place, outside comments.
+TEST(Mutants, OfShadersDifferOnlyAtTheirPlace) {
   const Path shaders = home().shipped() / "shaders";
   size_t count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shaders)) {
@@ -81,12 +81,12 @@ TEST(Draw, TakesFromEveryFileAndOperator) {
   EXPECT_EQ(std::count_if(drawn.begin(), drawn.end(), [](const Mutant& mutant) { return mutant.file == "small"; }), 1);
   std::set<MutationOperator> operators;
   for (const Mutant& mutant : drawn) operators.insert(mutant.op);
-  EXPECT_GE(operators.size(), 5u);  // max( offers two in one place
+  EXPECT_GE(operators.size(), 5u);  // max( has two mutants at one place
   EXPECT_EQ(drawMutants(twoFiles(), 1, 1000).size(), twoFiles()[0].size() + 2);
 }
 
-// A change that means nothing is told from one that does and from one that is no GLSL.
-TEST(ShaderCodeOfPasses, TellsWhichMutantsMatter) {
+// Distinguishes mutants with equal code, different code and invalid GLSL.
+TEST(ShaderCodeOfPasses, ClassifiesMutants) {
   ShaderCode code(home());
   auto change = [&](const std::string& file, const std::string& before, const std::string& after) {
     size_t at = readText(home().shipped() / "shaders" / file).find(before);
@@ -96,10 +96,10 @@ TEST(ShaderCodeOfPasses, TellsWhichMutantsMatter) {
   EXPECT_EQ(change("mask/moving.glsl", "vec4(", "vec4 ("), CodeChange::Same);
   EXPECT_EQ(change("mask/moving.glsl", "1 : 0", "0 : 1"), CodeChange::Different);
   EXPECT_EQ(change("mask/moving.glsl", "vec4(", "vec9("), CodeChange::Refused);
-  EXPECT_EQ(change("backend/miss.glsl", "NO_INSTANCE", "0u"), CodeChange::Different);  // reached by one backend alone
+  EXPECT_EQ(change("backend/miss.glsl", "NO_INSTANCE", "0u"), CodeChange::Different);  // used by one backend only
 }
 
-// From outside: a tap on the wrong side is noticed by a test of a filter, and what is known is not tried again.
+// Runs the program: a filter's test catches a tap on the wrong side, and a known result is not computed again.
 TEST(MutationRun, CatchesAWrongSign) {
   const char* program = std::getenv("STROBE_PROGRAM");
   ASSERT_TRUE(program) << "STROBE_PROGRAM names the program";

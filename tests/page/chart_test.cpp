@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a chart draws lies where its scales say, and its series differ without colour. The pictures are read as elements
-// with attributes.
+// Charts draw values at their place on the scales, and series differ without colour. Charts are read as elements with
+// attributes.
 #include "page/chart.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ std::vector<Element> those(const std::string& svg, const std::string& name, cons
   return found;
 }
 
-// The places a path visits, of the absolute commands M, L, H and V.
+// Points on a path with the absolute commands M, L, H and V.
 std::vector<std::array<double, 2>> visited(const std::string& d) {
   static const std::regex command(R"rx(([MLHVmhv])\s*(-?[0-9.]+)[ ,]?(-?[0-9.]+)?)rx");
   std::vector<std::array<double, 2>> places;
@@ -76,13 +76,13 @@ Chart withAxes() {
   return chart;
 }
 
-TEST(Chart, APointLiesWhereItsValuesSay) {
+TEST(Chart, PointLiesAtItsValues) {
   Chart chart = withAxes();
   chart.guides = {{10, "here"}};
   chart.series = {{"one", 0, {{1, 1, "low"}, {10, 10, "middle", true}, {100, 100, "high", false, true}}}};
   std::string svg = svgOf(chart);
   ChartFrame frame = frameOf(chart);
-  // Both axes reach over two powers of ten.
+  // Both axes span two powers of ten.
   EXPECT_DOUBLE_EQ(frame.px(10), (frame.px(1) + frame.px(100)) / 2);
   EXPECT_DOUBLE_EQ(frame.py(10), (frame.py(1) + frame.py(100)) / 2);
   std::vector<Element> hollow = those(svg, "circle", "hollow");
@@ -98,7 +98,7 @@ TEST(Chart, APointLiesWhereItsValuesSay) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
-TEST(Chart, SmallValuesLieOnTheBorderOfDecades) {
+TEST(Chart, SmallValuesLieOnTheLowestDecade) {
   Chart chart = withAxes();
   chart.y.decades = 2;
   chart.series = {{"", 0, {{1, 100}, {2, 1}, {3, 1e-9}, {4, 0}}}};
@@ -108,7 +108,7 @@ TEST(Chart, SmallValuesLieOnTheBorderOfDecades) {
   EXPECT_FALSE(frame.y().hasZero());
 }
 
-TEST(Chart, AGapInALineStaysOne) {
+TEST(Chart, GapInALineStays) {
   Chart chart = withAxes();
   chart.series = {{"", 0, {{1, 1}, {2, 2}, {3, kNone}, {4, 4}, {5, 5}}}};
   std::string svg = svgOf(chart);
@@ -119,8 +119,8 @@ TEST(Chart, AGapInALineStaysOne) {
   EXPECT_EQ(std::count(d.begin(), d.end(), 'M'), 2) << d;
 }
 
-// Along a front one goes to the next x first, at the y that has been reached: no corner is better than a point.
-TEST(Chart, AFrontIsAStair) {
+// A front moves to the next x at the current y, then to the point: no corner is better than a point.
+TEST(Chart, FrontIsAStair) {
   Chart chart;
   chart.series = {{"front", kFrontStyle, {{1, 5}, {2, 3}, {4, 1}}, Series::Kind::line, true}};
   std::string svg = svgOf(chart);
@@ -135,14 +135,14 @@ TEST(Chart, AFrontIsAStair) {
   }
 }
 
-TEST(Chart, ErrorBarsReachWhereTheyShould) {
+TEST(Chart, ErrorBarsSpanTheirRange) {
   Chart chart;
   ChartPoint point{2, 3};
   point.y_range = {2, 6};
   chart.series = {{"one", 1, {point}, Series::Kind::scatter}};
   std::string svg = svgOf(chart);
   ChartFrame frame = frameOf(chart);
-  EXPECT_DOUBLE_EQ(frame.y().at(2), 0) << "the axis reaches to the ends of error bars";
+  EXPECT_DOUBLE_EQ(frame.y().at(2), 0) << "the axis includes the ends of error bars";
   EXPECT_DOUBLE_EQ(frame.y().at(6), 1);
   auto places = visited(those(svg, "path", "error").at(0).attributes["d"]);
   auto reached = [&](double x, double y) {
@@ -154,7 +154,7 @@ TEST(Chart, ErrorBarsReachWhereTheyShould) {
   EXPECT_TRUE(reached(2, 6));
 }
 
-TEST(Chart, ABandFillsWhatItsPointsEnclose) {
+TEST(Chart, BandFillsTheRangesOfItsPoints) {
   Chart chart;
   Series band{"sure", 2, {{1, 0}, {3, 0}}, Series::Kind::band};
   band.points[0].y_range = {-INFINITY, 4};
@@ -167,10 +167,10 @@ TEST(Chart, ABandFillsWhatItsPointsEnclose) {
   EXPECT_NEAR(places[0][1], frame.py(4), 0.06);
   EXPECT_NEAR(places[1][1], frame.py(5), 0.06);
   EXPECT_NEAR(places[2][1], frame.py(2), 0.06);
-  EXPECT_NEAR(places[3][1], frame.bottom(), 0.06) << "-infinity is the border";
+  EXPECT_NEAR(places[3][1], frame.bottom(), 0.06) << "-infinity is drawn at the border";
 }
 
-// Colours come again, with other marks.
+// Colours repeat with other marks.
 TEST(Chart, ManySeriesDifferByColourAndMark) {
   std::set<std::string> looks;
   const int many = 4 * kStyles;
@@ -202,8 +202,8 @@ TEST(Chart, EveryClassHasAStyle) {
   EXPECT_TRUE(missing.empty()) << *missing.begin();
 }
 
-// In a program that knows neither the page's style nor custom properties.
-TEST(Standalone, IsAFileWithItsStyleAndSize) {
+// For programs without the page's style and without custom properties.
+TEST(Standalone, HasItsStyleAndSize) {
   Chart chart;
   chart.series = {{"a", 1, {{1, 2}, {3, 4}}}};
   std::string svg = svgOf(chart, 400, 300), file = standaloneSvg(svg);
@@ -212,7 +212,7 @@ TEST(Standalone, IsAFileWithItsStyleAndSize) {
   EXPECT_NE(file.find(".chart .s1 { color: #b4540a; }"), std::string::npos);
   EXPECT_EQ(file.find("var("), std::string::npos);
   EXPECT_EQ(file.find("@media"), std::string::npos);
-  EXPECT_TRUE(file.ends_with(svg.substr(svg.find('\n') + 1))) << "the drawing as it was";
+  EXPECT_TRUE(file.ends_with(svg.substr(svg.find('\n') + 1))) << "the drawing is unchanged";
 }
 
 }  // namespace chart_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages: sound HTML of every kind of block, nothing from elsewhere, nothing that a text could break.
+// Pages: well-formed HTML for every kind of block, no external resources, and escaped text.
 #include "page/page.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace strobe::page {
 namespace page_test {
 
-// The names of elements that are open at the end, or the first that closes another; "" where all is sound.
+// Names of unclosed elements, or of the first mismatched end tag; "" if the HTML is well-formed.
 std::string unsound(const std::string& html) {
   static const std::regex tag(R"rx(<(/?)([a-z][a-z0-9]*)((?:[^>"]|"[^"]*")*?)(/?)>)rx");
   static const std::set<std::string> kAlone = {"meta", "link", "img", "input"};
@@ -48,7 +48,7 @@ Page made() {
   return page;
 }
 
-TEST(Page, EveryBlockIsSoundHtml) { EXPECT_EQ(unsound(htmlOf(made())), ""); }
+TEST(Page, EveryBlockIsWellFormed) { EXPECT_EQ(unsound(htmlOf(made())), ""); }
 
 TEST(Page, TextsAreEscaped) {
   std::string html = htmlOf(made());
@@ -58,42 +58,42 @@ TEST(Page, TextsAreEscaped) {
     EXPECT_NE(html.find(shown), std::string::npos) << shown;
 }
 
-TEST(Page, PicturesAreInsideOnceAndHaveTexts) {
+TEST(Page, PicturesAreEmbeddedOnceAndHaveTexts) {
   std::string html = htmlOf(made());
   EXPECT_NE(html.find("src=\"data:image/png;base64,YWJj\""), std::string::npos);
-  EXPECT_EQ(html.find("YWJj", html.find("YWJj") + 1), std::string::npos) << "the comparison refers to it";
+  EXPECT_EQ(html.find("YWJj", html.find("YWJj") + 1), std::string::npos) << "the comparison reuses the picture";
   static const std::regex without(R"rx(<img(?![^>]*alt=))rx");
   EXPECT_FALSE(std::regex_search(html, without));
-  EXPECT_NE(html.find("alt=\"truth\""), std::string::npos) << "the caption, where nothing else is said";
+  EXPECT_NE(html.find("alt=\"truth\""), std::string::npos) << "the caption if no other text is given";
   EXPECT_NE(html.find("alt=\"seen\""), std::string::npos);
 }
 
-TEST(Page, PicturesSayWhatTheyAre) {
+TEST(Page, PicturesHaveTheirType) {
   std::string html =
       htmlOf(Page{"a", "", {Pictures{{{"\xff\xd8\xff", 4, 2, "a JPEG"}, {"\x89PNG", 4, 2, "a PNG"}}}}, {}});
   EXPECT_NE(html.find("src=\"data:image/jpeg;base64,/9j/\""), std::string::npos);
   EXPECT_NE(html.find("src=\"data:image/png;base64,iVBORw==\""), std::string::npos);
 }
 
-TEST(Page, NeedsNothingFromElsewhere) {
+TEST(Page, NeedsNoExternalResources) {
   std::string html = htmlOf(made());
   for (const char* foreign : {"http:", "https:", "@import", "url(", "src=\"/"})
     EXPECT_EQ(html.find(foreign), std::string::npos) << foreign;
 }
 
-TEST(Page, HasAScriptOnlyWhereThereIsAComparison) {
+TEST(Page, HasAScriptOnlyWithAComparison) {
   EXPECT_NE(htmlOf(made()).find("<script>"), std::string::npos);
   EXPECT_EQ(htmlOf(Page{"a", "", {Paragraph{"b"}}, {}}).find("<script"), std::string::npos);
 }
 
-// What is between tags of a script is no HTML.
+// Removes scripts: the text in a script is not HTML.
 std::string withoutScripts(std::string html) {
   for (size_t from = html.find("<script"); from != std::string::npos; from = html.find("<script", from))
     html.erase(from, html.find("</script>", from) + 9 - from);
   return html;
 }
 
-TEST(Page, AnExplorerHasItsDataAndItsLibrary) {
+TEST(Page, ExplorerHasItsDataAndLibrary) {
   Page page = made();
   page.blocks.push_back(Explorer{{{"title", "</script><b>"}}, {"a('</script>')", "charts", "may be copied */"}});
   page.blocks.push_back(Still{{Heading{"Points", 2, "points"}, Paragraph{"as a list"}}});
@@ -103,7 +103,7 @@ TEST(Page, AnExplorerHasItsDataAndItsLibrary) {
   EXPECT_NE(html.find(R"({"title":"\u003c/script>\u003cb>"})"), std::string::npos);
   EXPECT_NE(html.find("/*\nmay be copied * /*/\na('<\\/script>')"), std::string::npos);
   EXPECT_NE(html.find("<div class=\"still\">\n<h2 id=\"points\">"), std::string::npos);
-  EXPECT_EQ(htmlOf(made()).find("explorer"), std::string::npos) << "style and scripts only where there is one";
+  EXPECT_EQ(htmlOf(made()).find("explorer"), std::string::npos) << "style and scripts only with an explorer";
   std::string style = std::string(asset("page.css")) + std::string(asset("explorer.css"));
   static const std::regex classes(R"rx(class="([a-z]+)")rx");
   std::string skeleton(asset("explorer.html"));
@@ -115,10 +115,11 @@ TEST(Page, HeadingsWithIdsAreTheNavigation) {
   std::string html = htmlOf(made());
   EXPECT_NE(html.find("<a href=\"#two\">Two</a>"), std::string::npos);
   EXPECT_NE(html.find("<h2 id=\"two\">"), std::string::npos);
-  EXPECT_EQ(htmlOf(Page{"a", "", {Heading{"One", 2, "one"}}, {}}).find("<nav"), std::string::npos) << "of one section";
+  EXPECT_EQ(htmlOf(Page{"a", "", {Heading{"One", 2, "one"}}, {}}).find("<nav"), std::string::npos)
+      << "one section has no navigation";
 }
 
-TEST(Page, IsTheSameEachTime) { EXPECT_EQ(htmlOf(made()), htmlOf(made())); }
+TEST(Page, IsDeterministic) { EXPECT_EQ(htmlOf(made()), htmlOf(made())); }
 
 TEST(Page, EveryClassHasAStyle) {
   std::string html = htmlOf(made()), style = std::string(asset("page.css")) + std::string(asset("chart.css"));
@@ -130,7 +131,7 @@ TEST(Page, EveryClassHasAStyle) {
   }
 }
 
-TEST(Base64, OfEachLength) {
+TEST(Base64, EncodesEveryLength) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");

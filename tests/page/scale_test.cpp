@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where values lie along an axis, against closed forms.
+// Positions of values along an axis, compared with closed forms.
 #include "page/scale.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::vector<std::string> labelsOf(const Scale& scale) {
   return labels;
 }
 
-TEST(Scale, LogarithmicPlacesAndTicks) {
+TEST(Scale, LogarithmicScaleHasPositionsAndTicks) {
   Scale scale(Scale::Kind::log, {1e-6, 1, 1e6});
   EXPECT_DOUBLE_EQ(scale.at(1e-6), 0);
   EXPECT_DOUBLE_EQ(scale.at(1), 0.5);
@@ -41,7 +41,7 @@ TEST(Scale, SmallTicksLieAtTheirLogarithms) {
   EXPECT_EQ(labelsOf(Scale(Scale::Kind::log, {10, 100})), (std::vector<std::string>{"10", "20", "50", "100"}));
 }
 
-TEST(Scale, ZeroHasAPlaceOfItsOwn) {
+TEST(Scale, ZeroHasItsOwnPosition) {
   Scale scale(Scale::Kind::log, {0, 1, 100});
   EXPECT_TRUE(scale.hasZero());
   EXPECT_EQ(scale.at(0), 0);
@@ -50,14 +50,14 @@ TEST(Scale, ZeroHasAPlaceOfItsOwn) {
   EXPECT_EQ(labelsOf(scale).front(), "0");
 }
 
-TEST(Scale, RoundedReachesToOneAndThreeTimesPowersOfTen) {
+TEST(Scale, RoundedEndsAtOneOrThreeTimesAPowerOfTen) {
   Scale scale(Scale::Kind::log, {0.04, 25}, true);
   EXPECT_DOUBLE_EQ(scale.at(0.03), 0);
   EXPECT_DOUBLE_EQ(scale.at(30), 1);
   EXPECT_NEAR(scale.at(0.95), 0.5, 0.002);  // sqrt(0.03 * 30) = 0.949
 }
 
-TEST(Scale, LinearAndEven) {
+TEST(Scale, LinearAndEvenScalesHavePositions) {
   Scale linear(Scale::Kind::linear, {0, 7.5, 90});
   EXPECT_DOUBLE_EQ(linear.at(22.5), 0.25);
   EXPECT_EQ(labelsOf(linear), (std::vector<std::string>{"0", "15", "30", "45", "60", "75", "90"}));
@@ -66,7 +66,7 @@ TEST(Scale, LinearAndEven) {
   EXPECT_EQ(labelsOf(even), (std::vector<std::string>{"0", "60", "89", "89.5", "89.9"}));
 }
 
-TEST(Scale, RoundedLinearReachesToTicks) {
+TEST(Scale, RoundedLinearEndsAtTicks) {
   Scale scale(Scale::Kind::linear, {-0.7, 7.2}, true);
   EXPECT_DOUBLE_EQ(scale.at(-1), 0);
   EXPECT_DOUBLE_EQ(scale.at(8), 1);
@@ -75,7 +75,7 @@ TEST(Scale, RoundedLinearReachesToTicks) {
   EXPECT_EQ(labelsOf(scale).back(), "8");
 }
 
-// n slots of width 1/n, each value in the middle of its own.
+// n slots of width 1/n, each value at the centre of its slot.
 TEST(Scale, SlotsShareTheAxis) {
   Scale slots(Scale::Kind::slots, {2, 0, 1, 3, 2});
   EXPECT_DOUBLE_EQ(slots.slot(), 0.25);
@@ -83,7 +83,7 @@ TEST(Scale, SlotsShareTheAxis) {
   EXPECT_EQ(Scale(Scale::Kind::even, {0, 1}).slot(), 0);
 }
 
-TEST(Scale, OfEqualOrNoValuesIsStillAnAxis) {
+TEST(Scale, EqualOrNoValuesGiveAnAxis) {
   for (Scale::Kind kind : {Scale::Kind::log, Scale::Kind::linear, Scale::Kind::even, Scale::Kind::slots})
     for (const std::vector<double>& values : {std::vector<double>(), {3.0}, {3.0, 3.0}, {NAN, INFINITY}, {1e12}}) {
       Scale scale(kind, values, true);
@@ -93,7 +93,7 @@ TEST(Scale, OfEqualOrNoValuesIsStillAnAxis) {
     }
 }
 
-TEST(Numbers, AsPeopleWriteThem) {
+TEST(Numbers, AreShownReadably) {
   EXPECT_EQ(shownNumber(0), "0");
   EXPECT_EQ(shownNumber(12.8), "12.8");
   EXPECT_EQ(shownNumber(1e7), "10⁷");

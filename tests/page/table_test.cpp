@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A table is the same in each of its three forms: aligned columns line up, Markdown and HTML hold every cell and
-// nothing that a cell's text could break.
+// A table has the same content in its three forms: text columns are aligned, Markdown and HTML have every cell, with
+// text escaped.
 #include "page/table.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ int countOf(const std::string& text, const std::string& what) {
   return count;
 }
 
-// The cells of a line of Markdown, without the blanks around them.
+// Cells of a Markdown line, without surrounding spaces.
 std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells(1);
   for (size_t i = 1; i + 1 < line.size(); ++i) {
@@ -51,7 +51,7 @@ Table made() {
   return table;
 }
 
-TEST(TextTable, ColumnsLineUpByWhatIsSeen) {
+TEST(TextTable, ColumnsAlignByDisplayWidth) {
   EXPECT_EQ(textOf(made()),
             "name     error  note\n"
             "truth ±    0.5  a | b\n"
@@ -59,12 +59,12 @@ TEST(TextTable, ColumnsLineUpByWhatIsSeen) {
             "é            –\n");
 }
 
-TEST(TextTable, CaptionsAndNotesAreLinesOfTheirOwn) {
+TEST(TextTable, CaptionsAndNotesAreSeparateLines) {
   Table table{"What `x` is", {"a"}, {{"1"}}, {"see [there](x.md)"}};
   EXPECT_EQ(textOf(table), "What `x` is\n\na\n1\n\nsee there\n");
 }
 
-TEST(MarkdownTable, EveryLineHasAsManyCells) {
+TEST(MarkdownTable, EveryLineHasTheSameNumberOfCells) {
   std::vector<std::string> lines = linesOf(markdownOf(made()));
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(cellsOf(lines[1]), (std::vector<std::string>{"---", "---:", "---"}));
@@ -72,26 +72,26 @@ TEST(MarkdownTable, EveryLineHasAsManyCells) {
   EXPECT_EQ(cellsOf(lines[4]), (std::vector<std::string>{"é", "–", ""}));
 }
 
-TEST(MarkdownTable, OfNoRowsIsNothing) { EXPECT_EQ(markdownOf(Table{"", {"a"}}), ""); }
+TEST(MarkdownTable, WithoutRowsIsEmpty) { EXPECT_EQ(markdownOf(Table{"", {"a"}}), ""); }
 
-TEST(MarkdownTable, ALineEndStaysInItsCell) {
+TEST(MarkdownTable, LineEndStaysInItsCell) {
   EXPECT_EQ(linesOf(markdownOf(Table{"", {"a"}, {{"one\ntwo"}}})).size(), 3u);
 }
 
-TEST(HtmlTable, HoldsEveryCellEscaped) {
+TEST(HtmlTable, EscapesEveryCell) {
   Table table = made();
   table.rows[0][2] = {"<b> & `x<y`", Emphasis::bad, "say \"so\""};
   std::string html = htmlOf(table);
   EXPECT_EQ(countOf(html, "<th scope=\"col\""), 3);
   EXPECT_EQ(countOf(html, "<th scope=\"row\">"), 3) << "the first cell names the row";
-  EXPECT_EQ(countOf(html, "<td"), 6) << "cells that are left out are there, and empty";
+  EXPECT_EQ(countOf(html, "<td"), 6) << "missing cells are empty cells";
   EXPECT_NE(html.find("<td class=\"bad\" title=\"say &quot;so&quot;\">&lt;b&gt; &amp; <code>x&lt;y</code></td>"),
             std::string::npos)
       << html;
   EXPECT_NE(html.find("<td class=\"number\">12.25</td>"), std::string::npos) << html;
 }
 
-TEST(Table, LosesColumnsThatAreEmpty) {
+TEST(Table, DropsEmptyColumns) {
   Table table{"", {"a", "b", "c"}, {{"1", "", "3"}, {"4"}}};
   table = withoutEmptyColumns(table);
   ASSERT_EQ(table.columns.size(), 2u);
@@ -99,7 +99,7 @@ TEST(Table, LosesColumnsThatAreEmpty) {
   EXPECT_EQ(table.rows[0][1].text, "3");
 }
 
-TEST(Table, MarksWhatShowsTheSmallestValue) {
+TEST(Table, MarksTheSmallestShownValue) {
   Table table{"", {"a", {"b", true}}};
   table.add({"floor", {0.1, "0.1", Emphasis::faint}});
   table.add({"one", {0.2001, "0.2"}});
@@ -114,7 +114,7 @@ TEST(Table, MarksWhatShowsTheSmallestValue) {
   EXPECT_EQ(cellsOf(linesOf(markdownOf(table))[3])[1], "**0.2**");
 }
 
-TEST(Table, MarksNothingWhereOneCompetesAlone) {
+TEST(Table, MarksNothingWithoutACompetitor) {
   Table table{"", {"a", "b"}, {{"one", {1, "1"}}}};
   markBest(table, 1);
   EXPECT_EQ(table.rows[0][1].mark, Emphasis::none);
@@ -126,7 +126,7 @@ TEST(Markup, IsKeptByDocumentsAndShownByPages) {
   EXPECT_EQ(inlinePlain("**a `b`** [c & d](e.md#f)"), "a `b` c & d");
 }
 
-TEST(Markup, LeavesTheRestAsItIs) {
+TEST(Markup, LeavesOtherTextUnchanged) {
   for (const char* text : {"[0,T]", "2 * 3 ** 2", "a ` b", "normal [world] (x)", "[x](javascript:alert(1))"}) {
     EXPECT_EQ(inlinePlain(text), text);
     EXPECT_EQ(inlineHtml(text), escaped(text));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bars of a waterfall begin where those before them end.
+// Bars of a waterfall begin at the end of the previous bar.
 #include "page/waterfall.h"
 
 #include <gtest/gtest.h>
@@ -30,13 +30,13 @@ Waterfall three() {
   return waterfall;
 }
 
-TEST(Waterfall, BarsFollowOneAnother) {
+TEST(Waterfall, BarsFollowEachOther) {
   std::string svg = svgOf(three());
   std::vector<Bar> bars = barsOf(svg);
   ASSERT_EQ(bars.size(), 3u);
   for (size_t i = 1; i < 3; ++i) {
     EXPECT_NEAR(bars[i].x, bars[i - 1].x + bars[i - 1].width, 0.11);
-    EXPECT_GT(bars[i].y, bars[i - 1].y) << "from the top";
+    EXPECT_GT(bars[i].y, bars[i - 1].y) << "from top to bottom";
   }
   EXPECT_NEAR(bars[1].width, 2 * bars[0].width, 0.11);
   for (const char* text :
@@ -44,7 +44,7 @@ TEST(Waterfall, BarsFollowOneAnother) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
 }
 
-TEST(Waterfall, AlignedOnesShareAnAxis) {
+TEST(Waterfall, AlignedWaterfallsShareAnAxis) {
   Waterfall longer = three();
   longer.bars.push_back({"a name that needs a great deal of room", 7, 7, {}, "7 ms"});
   std::vector<Waterfall> both = {three(), longer};
@@ -54,7 +54,7 @@ TEST(Waterfall, AlignedOnesShareAnAxis) {
     EXPECT_EQ(first[i].x, second[i].x);
     EXPECT_EQ(first[i].width, second[i].width);
   }
-  EXPECT_LT(first[0].width, barsOf(svgOf(three()))[0].width) << "a longer extent than its own";
+  EXPECT_LT(first[0].width, barsOf(svgOf(three()))[0].width) << "the shared axis is longer than its own";
 }
 
 }  // namespace waterfall_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A barrier for each class of hazard, proved by replaying the plan in a model of the device's memory; and the proof
-// that the replay can fail: without any single one of these barriers it does.
+// A barrier for each class of hazard, verified by replaying the plan in a model of the device's memory. The replay
+// fails if any one of these barriers is removed.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -27,7 +27,7 @@ std::string joined(const std::vector<std::string>& lines) {
 
 using BarrierList = std::vector<Barrier> Step::*;
 
-// Calls `visit` for each list of barriers that is recorded at some time.
+// Calls `visit` for each list of recorded barriers.
 void visitLists(Plan& plan, const std::function<void(Step&, BarrierList)>& visit) {
   for (Step& step : plan.steps) {
     visit(step, &Step::barriers);
@@ -38,7 +38,7 @@ void visitLists(Plan& plan, const std::function<void(Step&, BarrierList)>& visit
   }
 }
 
-// How many barriers there are, and how many the replay does not miss when they alone are taken away.
+// Number of barriers, and number whose single removal leaves the replay without a problem.
 struct Removal {
   int barriers = 0;
   int unmissed = 0;
@@ -62,7 +62,7 @@ Removal removeEach(Plan plan, uint32_t trace_stage) {
   return result;
 }
 
-// Sound as compiled, and unsound without any one of its barriers.
+// The compiled plan is sound, and unsound without any one of its barriers.
 void expectExact(const PipelineDesc& pipeline, PipelineStage trace_stage = kStageCompute) {
   Plan plan = compiled(pipeline, trace_stage);
   EXPECT_EQ(joined(replayAll(plan, trace_stage)), "");
@@ -93,7 +93,7 @@ const Step* findPass(const Plan& plan, const std::vector<Step>& steps, const std
   return nullptr;
 }
 
-// The barriers before `node` for the image `image` ("counters" for its counters).
+// Barriers before `node` for the image `image` ("counters" for its counters).
 std::vector<Found> before(const Plan& plan, const std::string& node, const std::string& image,
                           BarrierList list = &Step::barriers) {
   std::vector<Found> found;
@@ -171,13 +171,13 @@ TEST(Barriers, CountersAreClearedCountedAndRead) {
       {kStageTransfer, kAccessTransferWrite, kStageCompute, kStorageReadWrite, Hazard::ReadAfterWrite, false, true}};
   std::vector<Found> found = before(plan, "first", "counters");
   ASSERT_EQ(found.size(), 1u);
-  expected[0].discard = found[0].discard;  // means nothing for counters
+  expected[0].discard = found[0].discard;  // not used by counters
   EXPECT_EQ(found, expected);
   EXPECT_EQ(plan.steps.back().kind, Step::Kind::ReadCounters);
   EXPECT_EQ(plan.steps.back().barriers.at(0).dst_stages, kStageHost);
 }
 
-// "third" takes over the slot of "first", which "second" still reads.
+// "third" reuses the slot of "first", which "second" still reads.
 TEST(Barriers, WriteAfterReadAcrossAliases) {
   Builder b;
   b.compute("first", {}, {"x"});
@@ -193,7 +193,7 @@ TEST(Barriers, WriteAfterReadAcrossAliases) {
   EXPECT_EQ(before(plan, "third", "third.z"), expected);
 }
 
-// Nobody reads "first.spare", whose slot "second" takes over at another stage.
+// "second" reuses the slot of "first.spare" at another stage; no pass reads "first.spare".
 TEST(Barriers, WriteAfterWriteAcrossAliases) {
   Builder b;
   b.compute("first", {}, {"spare", "x rgba32f"});
@@ -239,8 +239,8 @@ TEST(Barriers, LoopCarriedWriteAfterRead) {
   EXPECT_EQ(before(plan, "add", "add.sum", &Step::barriers_next), add_again);
 }
 
-// What is added to a buffer with atomics is added to what it was cleared to: it is read, too.
-TEST(Barriers, WhoWritesABufferReadsWhatItWasClearedTo) {
+// Atomic operations on a buffer also read the cleared values.
+TEST(Barriers, WriterOfABufferReadsTheClearedValues) {
   Builder b;
   b.compute("count", {}, {"x buffer32ui"});
   b.compute("use", {{"x", "count.x"}}, {"y"});
@@ -251,7 +251,7 @@ TEST(Barriers, WhoWritesABufferReadsWhatItWasClearedTo) {
   EXPECT_EQ(before(compiled(b.pipeline), "count", "count.x"), expected);
 }
 
-// The copy of the stop condition must be over before the next iteration writes it again.
+// The copy of the stop condition ends before the next iteration writes it.
 TEST(Barriers, StopConditionIsReadBackInEachIteration) {
   Builder b;
   b.beginLoop("shutter", 3, "add.done");
@@ -266,8 +266,8 @@ TEST(Barriers, StopConditionIsReadBackInEachIteration) {
   EXPECT_EQ(before(compiled(b.pipeline), "add", "add.done", &Step::barriers_next), expected);
 }
 
-// Iteration 0 finds what came before the loop, iteration 1 what iteration 0 left: the lists differ.
-TEST(Barriers, FirstIterationTakesOverASlot) {
+// Iteration 0 waits for the steps before the loop, iteration 1 for iteration 0: the lists differ.
+TEST(Barriers, FirstIterationReusesASlot) {
   Builder b;
   b.raster("first", {}, {"x"});
   b.compute("second", {{"x", "first.x"}}, {"y rg32f"});
@@ -297,14 +297,14 @@ TEST(Barriers, RandomPipelinesAreSound) {
     loops += static_cast<int>(plan.loops.size());
     shared += static_cast<int>(plan.images.size() - plan.slots.size());
   }
-  // The sample is of the kind meant.
+  // The random pipelines have enough barriers, loops and shared slots.
   EXPECT_GT(barriers, 5000);
   EXPECT_GT(loops, 100);
   EXPECT_GT(shared, 500);
 }
 
-// Too few barriers are unsound, too many are slow: random pipelines have none to spare.
-TEST(Barriers, RandomPipelinesNeedThemAll) {
+// Too few barriers are unsound and too many are slow: random pipelines need each barrier.
+TEST(Barriers, RandomPipelinesNeedEveryBarrier) {
   int barriers = 0, unmissed = 0;
   for (uint32_t seed = 0; seed < 60; ++seed) {
     RandomPipeline random = randomPipeline(seed);
@@ -316,7 +316,7 @@ TEST(Barriers, RandomPipelinesNeedThemAll) {
   EXPECT_EQ(unmissed, 0) << "of " << barriers;
 }
 
-// No description compiles to it yet (contents kept from frame to frame would): the derivation does not rely on that.
+// No description compiles to this plan yet (contents kept between frames would); the derivation covers it too.
 TEST(Barriers, WriteAfterReadWithoutAnEarlierWrite) {
   Plan plan;
   plan.slots.resize(1);

@@ -15,7 +15,7 @@ static PortDesc port(const std::string& text) {
   return port;
 }
 
-// The format of a port written so far, or "" (tests of errors wire what does not exist).
+// Format of a declared port; "" if the port does not exist (tests of errors read missing ports).
 static std::string formatOf(const PipelineDesc& pipeline, const std::string& source) {
   for (const PassDesc& pass : pipeline.passes) {
     for (const auto* ports : {&pass.writes, &pass.updates}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Descriptions of pipelines for tests, in a line per node.
+// Builds descriptions of pipelines for tests, a line per node.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace strobe::plan::test {
 
 using Wires = std::vector<std::pair<std::string, std::string>>;  // read port -> "node.port"
 
-// Makes one pass per node, of the same name. Ports are "name" (r32f) or "name format".
+// Makes one pass per node, with the same name. Ports are "name" (r32f) or "name format".
 struct Builder {
   PipelineDesc pipeline;
-  std::string loop;  // of the nodes added from now on
+  std::string loop;  // loop of the nodes added next
 
   Builder();
 
-  // Returns the pass, for what is not said here; the reference holds until the next node is added.
+  // Returns the pass for further settings; the reference is valid until the next node is added.
   PassDesc& add(PassDesc::Kind kind, const std::string& name, const Wires& inputs,
                 const std::vector<std::string>& writes, const std::vector<std::string>& updates = {});
   PassDesc& raster(const std::string& name, const Wires& inputs, const std::vector<std::string>& writes);

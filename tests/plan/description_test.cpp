@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Descriptions come from another process: what is malformed must be refused, and nothing else.
+// Descriptions come from another process: malformed descriptions, and only these, are refused.
 #include "plan/description.h"
 
 #include <gtest/gtest.h>
@@ -68,11 +68,11 @@ static std::string refusal(const Json& json) {
   return "none";
 }
 
-// Each value replaced by another one of its type is refused, or it is found in the description.
+// Each value replaced by another value of its type is refused or changes the description.
 static void changeEach(const Json& whole, const PipelineDesc& description, Json& part, int& kept) {
   for (auto& [key, value] : part.items()) {
     if (value.is_structured()) changeEach(whole, description, value, kept);
-    if (value.is_structured() || key == "variant") continue;  // of choices, it follows from the type
+    if (value.is_structured() || key == "variant") continue;  // the variant of a choice follows from its type
     const Json before = value;
     if (value.is_string()) value = value.get<std::string>() + "x";
     else if (value.is_boolean()) value = !value.get<bool>();
@@ -94,8 +94,7 @@ TEST(Description, KeepsEveryValue) {
   EXPECT_GT(kept, 80);
 }
 
-// Each removal, each value replaced by something of another type: refused or harmless, never a crash or another
-// exception than Error.
+// Each value replaced by a value of another type is refused or harmless; the only exception is Error.
 static void damageAll(const Json& whole, Json& part, int& refused, int& tried) {
   static const Json odd[] = {nullptr,      true, -1, 1e300, 18446744073709551615u, "\x01", Json::array({Json::array()}),
                              {{"name", 3}}};
@@ -112,12 +111,12 @@ static void damageAll(const Json& whole, Json& part, int& refused, int& tried) {
   }
 }
 
-TEST(Description, DamageIsRefusedByErrorAlone) {
+TEST(Description, DamageThrowsOnlyErrors) {
   Json json = canonical();
   int refused = 0, tried = 0;
   damageAll(json, json, refused, tried);
   EXPECT_GT(tried, 1000);
-  EXPECT_GT(refused, tried * 8 / 10);  // the rest are texts, flags and places that may be anything of their type
+  EXPECT_GT(refused, tried * 8 / 10);  // the rest are texts, flags and places without further limits
 }
 
 TEST(Description, MissingKeysAreRefused) {
@@ -218,7 +217,7 @@ static ParamDesc param(ParamDesc::Type type) {
   return p;
 }
 
-TEST(CheckValue, ConvertsWhatIsTypedOnACommandLine) {
+TEST(CheckValue, ConvertsCommandLineText) {
   EXPECT_EQ(checkValue(param(ParamDesc::Type::Int), std::string("7"), {}), Value(int64_t{7}));
   EXPECT_EQ(checkValue(param(ParamDesc::Type::Int), std::string("7.0"), {}), Value(int64_t{7}));
   EXPECT_EQ(checkValue(param(ParamDesc::Type::Int), 7.0, {}), Value(int64_t{7}));

@@ -31,7 +31,7 @@ TEST(Dot, HasABoxPerNodeAnEdgePerPairAndTheOutputs) {
   std::string dot = dotOf(b.pipeline);
   EXPECT_NE(dot.find("\"seen\" [label=\"seen\\nraster 64x32\""), std::string::npos) << dot;
   EXPECT_NE(dot.find("\"blur\" [label=\"blur\\ncompute 64x32\""), std::string::npos) << dot;
-  EXPECT_EQ(dot.find("unused"), std::string::npos) << "it is culled\n" << dot;
+  EXPECT_EQ(dot.find("unused"), std::string::npos) << "the node is culled\n" << dot;
   EXPECT_EQ(count(dot, "\"seen\" -> \"blur\""), 1u) << dot;
   EXPECT_NE(dot.find("[label=\" depth\\ncolor\"]"), std::string::npos) << dot;
   EXPECT_NE(dot.find("\"blur\" -> \"output color\" [label=\" blurred\""), std::string::npos) << dot;
@@ -39,7 +39,7 @@ TEST(Dot, HasABoxPerNodeAnEdgePerPairAndTheOutputs) {
   EXPECT_EQ(count(dot, "{"), count(dot, "}"));
 }
 
-TEST(Dot, ALoopIsACluster) {
+TEST(Dot, LoopIsACluster) {
   Builder b;
   b.beginLoop("time", 4);
   b.compute("sample", {}, {}, {"sum rgba32f"});

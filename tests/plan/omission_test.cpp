@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a plan leaves out where a fact does not hold, and what stands in for it.
+// Nodes that a plan omits if a fact does not hold, and their stand-ins.
 #include "plan/omission.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ std::string reason(const Plan& plan, const std::string& node) {
   return "runs";
 }
 
-// Names of the images that are cleared before anything else.
+// Names of images that a step clears.
 Names cleared(const Plan& plan) {
   Names names;
   for (const Step& step : plan.steps)
@@ -70,7 +70,7 @@ TEST(Omission, WithAllFactsEverythingRuns) {
   EXPECT_TRUE(plan.culled.empty());
 }
 
-TEST(Omission, AReadStandsInAndWhatFedTheNodeAloneGoesToo) {
+TEST(Omission, ReadStandsInAndInputsOfTheNodeAreOmitted) {
   Plan plan = planned(filtered(), {"motion"});
   EXPECT_EQ(order(plan), Names{"base"});
   EXPECT_EQ(imageOf(plan, "color"), "base.x");
@@ -79,7 +79,7 @@ TEST(Omission, AReadStandsInAndWhatFedTheNodeAloneGoesToo) {
   EXPECT_EQ(plan.images.size(), 1u);
 }
 
-TEST(Omission, StandInsOfStandIns) {
+TEST(Omission, StandInsOfStandInsAreResolved) {
   Builder b = filtered();
   b.compute("second", {{"x", "filter.z"}}, {"z"}).without = {without("motion", {{"z", "x"}})};
   b.output("other", "second.z");
@@ -88,7 +88,7 @@ TEST(Omission, StandInsOfStandIns) {
   EXPECT_EQ(imageOf(plan, "other"), "base.x");
 }
 
-TEST(Omission, WhatReadsTheNodeReadsTheStandIn) {
+TEST(Omission, ReadersOfTheNodeReadTheStandIn) {
   Builder b = filtered();
   b.compute("reader", {{"z", "filter.z"}}, {"w"});
   b.output("other", "reader.w");
@@ -112,9 +112,9 @@ Builder masked() {
   return b;
 }
 
-// ---- pixels that nothing in motion reaches
+// ---- Pixels outside the moving rectangle
 
-// base -> mask (0 there) -> filter (base there) -> color
+// "There" is outside the moving rectangle: base -> mask (0 there) -> filter (base there) -> color
 Builder reached(const std::string& filtered_format) {
   Builder b;
   b.compute("base", {}, {"x rgba16f"});
@@ -135,7 +135,7 @@ Names copied(const Plan& plan) {
   return names;
 }
 
-TEST(Omission, WhereNothingReachesAReadIsCopiedAndZerosAreCleared) {
+TEST(Omission, OutsideTheMovingRectReadsAreCopiedAndZerosCleared) {
   Plan plan = planned(reached("rgba16f"), {});
   EXPECT_EQ(order(plan), (Names{"base", "mask", "filter"}));
   EXPECT_FALSE(plan.nodes[0].in_moving_rect);
@@ -145,15 +145,16 @@ TEST(Omission, WhereNothingReachesAReadIsCopiedAndZerosAreCleared) {
   EXPECT_TRUE(plan.images[size_t(findImage(plan, "base.x"))].usage & kUsageTransferSource);
 }
 
-TEST(Omission, WhatStandsInOutsideHasTheFormatOfTheWrite) {
+TEST(Omission, StandInOutsideNeedsTheFormatOfTheWrite) {
   Plan plan = planned(reached("rgba32f"), {});
   EXPECT_TRUE(plan.nodes[1].in_moving_rect);
   EXPECT_FALSE(plan.nodes[2].in_moving_rect);
   EXPECT_TRUE(copied(plan).empty());
 }
 
-// What stands in holds there what its own pass wrote, not what stands in for that.
-TEST(Omission, WhatStandsInOutsideIsNotOfAPassThatRunsThere) {
+// A pass needs the moving rectangle if its stand-in does: `last` copies the filter's own output, not the filter's
+// stand-in.
+TEST(Omission, StandInOutsideIsNotOfAPassThatRunsThere) {
   for (const std::string format : {"rgba16f", "rgba32f"}) {
     Builder b = reached(format);
     b.compute("last", {{"x", "filter.z"}}, {"z " + format}).without = {without("moving_rect", {{"z", "x"}})};
@@ -163,8 +164,8 @@ TEST(Omission, WhatStandsInOutsideIsNotOfAPassThatRunsThere) {
   }
 }
 
-// base -> filter (base there) -> last (what was filtered there) -> color
-TEST(Omission, NobodyCopiesWhatNobodyLooksAtOutside) {
+// base -> filter (base outside) -> last (filter's output outside) -> color
+TEST(Omission, CopiesOnlyPixelsThatAreReadOutside) {
   for (bool pointwise : {false, true})
     for (bool is_output : {false, true}) {
       Builder b;
@@ -181,8 +182,8 @@ TEST(Omission, NobodyCopiesWhatNobodyLooksAtOutside) {
     }
 }
 
-// The pixel of a smaller picture is another one.
-TEST(Omission, PixelsOfAnotherSizeAreLookedAt) {
+// A pixel of a smaller image is another pixel.
+TEST(Omission, CopiesPixelsReadAtAnotherSize) {
   Builder b;
   b.compute("base", {}, {"x rgba16f"});
   b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("moving_rect", {{"z", "x"}})};
@@ -194,8 +195,8 @@ TEST(Omission, PixelsOfAnotherSizeAreLookedAt) {
   EXPECT_EQ(copied(planned(b, {})), Names{"base.x to filter.z"});
 }
 
-// What it stops by is read back, written or not.
-TEST(Omission, WhatALoopStopsByRunsOutsideToo) {
+// The stop condition is read back even if no pass writes it.
+TEST(Omission, StopConditionRunsOutsideToo) {
   for (bool stops : {false, true}) {
     Builder b;
     b.compute("base", {}, {"x"}).size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
@@ -210,7 +211,7 @@ TEST(Omission, WhatALoopStopsByRunsOutsideToo) {
   }
 }
 
-// Their memory is zero outside from frame to frame, which no other image may disturb.
+// These images are zero outside the moving rectangle from frame to frame; no other image may use their memory.
 TEST(Omission, ZerosOutsideShareMemoryAmongThemselves) {
   Builder b;
   b.compute("a", {}, {"x"});
@@ -226,7 +227,7 @@ TEST(Omission, ZerosOutsideShareMemoryAmongThemselves) {
   EXPECT_NE(slot("b.y"), slot("c.z"));
 }
 
-TEST(Omission, ZerosAreClearedOnceAndLeaveOutWhatFollowsFromThem) {
+TEST(Omission, ZerosAreClearedOnceAndOmitDependentNodes) {
   Plan plan = planned(masked(), {"motion"});
   EXPECT_EQ(order(plan), Names{"end"});
   EXPECT_EQ(cleared(plan), (Names{"rays.a", "rays.b"}));
@@ -245,7 +246,7 @@ TEST(Omission, ZerosLiveFromTheirClearToTheirLastReader) {
   EXPECT_EQ(plan.steps[size_t(a.last)].kind, Step::Kind::Pass);
 }
 
-// base -> mask (0 without motion) -> layer (reads the mask) -> filter, of which `layer` and `mask` need the mask
+// base -> mask (0 without motion) -> layer (reads the mask) -> filter (uses `layer` and `mask` only with the mask)
 Builder layered() {
   Builder b;
   b.compute("base", {}, {"x"});
@@ -258,7 +259,7 @@ Builder layered() {
   return b;
 }
 
-TEST(Omission, AReadOfNoUseIsNotWired) {
+TEST(Omission, UselessReadIsNotWired) {
   Plan plan = planned(layered(), {"motion"});
   EXPECT_EQ(order(plan), (Names{"base", "filter"}));
   EXPECT_EQ(plan.nodes[1].reads, (std::vector<int>{plan.nodes[1].reads[0], -1, -1}));
@@ -266,8 +267,8 @@ TEST(Omission, AReadOfNoUseIsNotWired) {
   EXPECT_EQ(order(planned(layered(), {})).size(), 4u);
 }
 
-// One of several is enough.
-TEST(Omission, AReadThatNeedsAnyOfSeveralStaysWithOne) {
+// One of several needed images is enough.
+TEST(Omission, ReadThatNeedsAnyOfSeveralStaysWithOne) {
   Builder b = layered();
   for (PortDesc& read : b.pipeline.passes.back().reads)
     if (read.name == "layer") read.needs = {"mask", "x"};
@@ -291,7 +292,7 @@ TEST(Omission, NeedsAreChecked) {
   EXPECT_NE(refused("mask", false).find("read 'layer' has 'needs', but is always wired"), std::string::npos);
 }
 
-TEST(Omission, AnotherFormatOrSizeRuns) {
+TEST(Omission, NodeWithAnotherFormatOrSizeRuns) {
   Builder format = filtered();
   format.pipeline.passes[2].writes[0].format = "rgba32f";
   EXPECT_EQ(order(planned(format, {"motion"})).size(), 3u);
@@ -300,7 +301,7 @@ TEST(Omission, AnotherFormatOrSizeRuns) {
   EXPECT_EQ(order(planned(size, {"motion"})).size(), 3u);
 }
 
-TEST(Omission, ATapOfANodeLeftOutIsWhatStandsIn) {
+TEST(Omission, TapOfAnOmittedNodeIsItsStandIn) {
   Plan plan = planned(filtered(), {"motion"}, {"filter.z"});
   EXPECT_EQ(imageOf(plan, "filter.z"), "base.x");
   Plan zeros = planned(masked(), {"motion"}, {"mask.m"});
@@ -308,11 +309,11 @@ TEST(Omission, ATapOfANodeLeftOutIsWhatStandsIn) {
   EXPECT_EQ(cleared(zeros).size(), 3u);
 }
 
-TEST(Omission, ATapOfWhatFedItAloneRunsIt) {
+TEST(Omission, TapOfAnInputRunsTheInput) {
   EXPECT_EQ(order(planned(filtered(), {"motion"}, {"tiles.y"})), (Names{"base", "tiles"}));
 }
 
-TEST(Omission, InLoopsToo) {
+TEST(Omission, AppliesInLoops) {
   Builder b;
   b.compute("base", {}, {"x"});
   b.beginLoop("times", 4);
@@ -325,7 +326,7 @@ TEST(Omission, InLoopsToo) {
   EXPECT_EQ(plan.images[size_t(plan.nodes[1].reads[0])].name, "base.x");
 }
 
-TEST(Omission, ALoopOfWhichNothingIsLeftIsNoStep) {
+TEST(Omission, EmptyLoopIsOmitted) {
   Builder b;
   b.compute("base", {}, {"x"});
   b.beginLoop("times", 4);
@@ -335,7 +336,7 @@ TEST(Omission, ALoopOfWhichNothingIsLeftIsNoStep) {
   EXPECT_TRUE(planned(b, {"motion"}).loops.empty());
 }
 
-TEST(Omission, WhatALoopStopsByRuns) {
+TEST(Omission, StopConditionOfALoopRuns) {
   Builder b;
   b.compute("base", {}, {"x"}).size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
   b.beginLoop("times", 4, "stop.y");
@@ -348,7 +349,7 @@ TEST(Omission, WhatALoopStopsByRuns) {
   EXPECT_EQ(reason(planned(b, {"motion"}), "stop"), "runs");
 }
 
-TEST(Omission, HistoriesAreReadAsTheyAre) {
+TEST(Omission, HistoriesStandInUnchanged) {
   Builder b;
   b.compute("base", {}, {"x"});
   b.compute("sum", {{"x", "base.x"}}, {}, {"s"}).updates[0].history = true;
@@ -359,14 +360,14 @@ TEST(Omission, HistoriesAreReadAsTheyAre) {
   EXPECT_TRUE(plan.images[size_t(findImage(plan, "sum.s"))].history);
 }
 
-TEST(Omission, OutputsThatNobodyAsksForAreCulled) {
+TEST(Omission, UnrequestedOutputsAreCulled) {
   Plan plan = planned(masked(), {}, {}, {"ids"});
   EXPECT_EQ(order(plan), (Names{"base", "mask", "rays"}));
   EXPECT_EQ(plan.outputs.size(), 1u);
   EXPECT_EQ(reason(plan, "end"), "not needed by any requested output");
 }
 
-// Plans that differ in nothing but facts that no shader and no node of theirs asks for go on with one another.
+// Plans have equal shapes if they differ only in facts that no shader and no node uses.
 TEST(Omission, ShapesDifferWhereShadersDo) {
   Builder b;
   b.compute("base", {}, {"x"});
@@ -398,7 +399,7 @@ TEST(Without, IsChecked) {
             "passes/x.lua:9: pass 'rays' if_no: 'y' is not a read that is always wired");
 }
 
-// What is cleared is cleared right before its pass, so that its memory is another's until then.
+// An image is cleared directly before its pass, so that other images use its memory until then.
 TEST(Cleared, IsZeroWhenItsPassBegins) {
   Builder b;
   b.compute("base", {}, {"x"});

@@ -62,7 +62,7 @@ Builder chain() {
   return b;
 }
 
-TEST(Order, FollowsTheDataThenTheCalls) {
+TEST(Order, FollowsDependenciesThenCalls) {
   Builder b;
   b.compute("late", {{"x", "early.x"}}, {"y"});
   b.compute("other", {}, {"x"});
@@ -122,7 +122,7 @@ TEST(Order, RefusesACycleThroughALoop) {
             "test.lua:1: cycle through a loop, whose nodes run together: loop shutter -> outside -> loop shutter");
 }
 
-TEST(Culling, LeavesOutWhatNoOutputNeeds) {
+TEST(Culling, OmitsNodesThatNoOutputNeeds) {
   Builder b = chain();
   b.compute("spare", {{"x", "first.x"}}, {"y"});
   b.compute("spare_too", {{"y", "spare.y"}}, {"z"});
@@ -134,7 +134,7 @@ TEST(Culling, LeavesOutWhatNoOutputNeeds) {
   EXPECT_EQ(findImage(plan, "spare.y"), -1);
 }
 
-TEST(Culling, ATapKeepsWhatItNeeds) {
+TEST(Culling, TapKeepsItsDependencies) {
   Builder b = chain();
   b.compute("spare", {{"x", "first.x"}}, {"y"});
   CompileOptions options = optionsOf(64, 32);
@@ -145,7 +145,7 @@ TEST(Culling, ATapKeepsWhatItNeeds) {
   EXPECT_EQ(plan.taps.at(0).second, findImage(plan, "spare.y"));
 }
 
-TEST(Culling, ALoopKeepsItsStopCondition) {
+TEST(Culling, LoopKeepsItsStopCondition) {
   Builder b;
   b.beginLoop("shutter", 8, "measure.done");
   b.compute("add", {}, {}, {"sum"});
@@ -161,7 +161,7 @@ TEST(Culling, ALoopKeepsItsStopCondition) {
   EXPECT_EQ(plan.steps.at(1).body.back().kind, Step::Kind::ReadImage);
 }
 
-TEST(Sizes, FrameFixedPortAndDividedRoundingUp) {
+TEST(Sizes, AreOfFrameFixedPortOrDividedRoundingUp) {
   Builder b;
   b.compute("first", {}, {"x"});
   PassDesc& tiles = b.compute("tiles", {{"x", "first.x"}}, {"max"});
@@ -186,8 +186,9 @@ TEST(Sizes, FrameFixedPortAndDividedRoundingUp) {
   EXPECT_EQ(size("last.color"), std::pair(1920, 1081));
 }
 
-// The picture, masks of regions and truth's error; the place is the size that is not the frame's, wherever it is read.
-TEST(Sizes, OutputsOfPixelsAreAsLargeAsTheFrame) {
+// Outputs with a value per pixel: the picture, region masks, truth's error. The error's place is the size declaration
+// that differs from the frame, in whichever pass it is.
+TEST(Sizes, PixelOutputsHaveTheSizeOfTheFrame) {
   Builder b;
   b.compute("first", {}, {"x"});
   PassDesc& tiles = b.compute("tiles", {{"x", "first.x"}}, {"max"});
@@ -214,12 +215,12 @@ TEST(Sizes, OutputsOfPixelsAreAsLargeAsTheFrame) {
             "passes/tiles.lua:7: output 'color' of pipeline 'test' is 'near.max', which is 4x2 in a frame of 64x36; it "
             "has to be as large as the frame, and pass 'tiles' decides its size");
   EXPECT_TRUE(refusal("fixed.x", "other", "first.x").starts_with("passes/fixed.lua:3: output 'color'"))
-      << "of the frame's size by chance";
+      << "the fixed size equals the frame's by chance";
   EXPECT_TRUE(refusal("first.x", "inner", "tiles.max").starts_with("passes/tiles.lua:7: output 'inner'"));
   EXPECT_TRUE(refusal("first.x", "error", "near.max").starts_with("passes/tiles.lua:7: output 'error'"));
 }
 
-TEST(Params, DefaultThenBindingThenPipelineThenOverride) {
+TEST(Params, OverridesDefaultByBindingPipelineAndSetting) {
   Builder b;
   b.compute("first", {}, {"x"}).params = {intParam("a", 1, 0, 99), intParam("b", 2, 0, 99), intParam("c", 3, 0, 99),
                                           intParam("d", 4, 0, 99)};
@@ -257,7 +258,7 @@ TEST(Params, LoopsFollowThePipeline) {
   EXPECT_EQ(plan.loops.at(0).slices, 4);
 }
 
-TEST(Params, LoopsOfFramesSayHowFarTheyLookBack) {
+TEST(Params, LoopsOverFramesGiveTheirHistoryLength) {
   Builder b;
   for (const char* name : {"shutter", "earlier"}) {
     b.beginLoop(name, 2);
@@ -276,8 +277,8 @@ TEST(Params, LoopsOfFramesSayHowFarTheyLookBack) {
   EXPECT_EQ(earlierFrames(b.pipeline), 64);
 }
 
-// Every iteration draws all pixels anew, whatever its passes leave out where nothing moves.
-TEST(Loops, OfPartsLeaveNothingOut) {
+// Each iteration of a loop over parts of the exposure draws all pixels, even outside the moving rectangle.
+TEST(Loops, OverPartsDrawAllPixels) {
   Builder b;
   b.beginLoop("steps", 4);
   PassDesc& pass = b.compute("draw", {}, {"x"});
@@ -305,7 +306,7 @@ TEST(Loops, OfPartsLeaveNothingOut) {
   }
 }
 
-TEST(Loops, OfPartsHaveNoSampleTimes) {
+TEST(Loops, OverPartsHaveNoSampleTimes) {
   Builder b;
   b.beginLoop("steps", 4);
   b.compute("draw", {}, {"x"});
@@ -328,12 +329,12 @@ TEST(Memory, AliasesAChain) {
   b.output("color", "n7.x");
   Plan plan = compiled(b.pipeline);
   EXPECT_EQ(plan.images.size(), 8u);
-  EXPECT_EQ(plan.slots.size(), 3u);  // two in turns, and the output by itself
+  EXPECT_EQ(plan.slots.size(), 3u);  // two alternate, and the output has its own
   EXPECT_EQ(bytesUnaliased(plan), 8u * 64 * 32 * 4);
   EXPECT_EQ(bytesAliased(plan), 3u * 64 * 32 * 4);
 }
 
-// A head of four numbers, then one for each pixel; shared with buffers alone.
+// A buffer has a head of four numbers, then a number per pixel; it shares memory only with buffers.
 TEST(Memory, BuffersHaveAHead) {
   Builder b;
   b.compute("a", {}, {"x buffer32ui"});
@@ -347,8 +348,8 @@ TEST(Memory, BuffersHaveAHead) {
   EXPECT_EQ(plan.slots.at(0).bytes, 64u * 32 * 4 + 16);
 }
 
-// What runs over a list waits for its groups as well as for its entries.
-TEST(Buffers, ARunOverAListReadsItsGroups) {
+// A pass over a list waits for the list's groups and its entries.
+TEST(Buffers, RunOverAListReadsItsGroups) {
   Builder b;
   b.compute("list", {}, {"x buffer32ui"});
   PassDesc& over = b.compute("over", {{"x", "list.x"}}, {"y"});
@@ -376,7 +377,7 @@ ParamDesc choiceParam(const std::string& name, const std::vector<std::string>& c
   return param;
 }
 
-// Two nodes of one pass, whose image is rg32f for `full` and rg16f for `half`; then one that reads both.
+// Two nodes of one pass that writes rg32f for `full` and rg16f for `half`; a third node reads both images.
 Builder twoFormats(const std::string& second) {
   Builder b;
   PassDesc& pass = b.compute("store", {}, {"v rg32f"});
@@ -392,12 +393,12 @@ Builder twoFormats(const std::string& second) {
   return b;
 }
 
-TEST(ChosenFormats, AreEachNodesOwn) {
+TEST(ChosenFormats, AreIndependentPerNode) {
   Plan plan = compiled(twoFormats("half").pipeline);
   EXPECT_EQ(image(plan, "store.v").format, "rg32f");
   EXPECT_EQ(image(plan, "again.v").format, "rg16f");
   uint64_t texels = 64 * 32;
-  EXPECT_EQ(bytesUnaliased(plan), texels * (8 + 4 + 4));  // 8 of rg32f, 4 of rg16f, 4 of the r32f that is read
+  EXPECT_EQ(bytesUnaliased(plan), texels * (8 + 4 + 4));  // 8 of rg32f, 4 of rg16f, 4 of the reader's r32f
   EXPECT_NE(image(plan, "store.v").slot, image(plan, "again.v").slot);
   std::string text = describe(plan);
   EXPECT_NE(text.find("v rg32f"), std::string::npos) << text;
@@ -405,7 +406,7 @@ TEST(ChosenFormats, AreEachNodesOwn) {
   EXPECT_EQ(toJson(plan)["images"][1]["format"], "rg16f");
 }
 
-TEST(ChosenFormats, FollowThePipelineAndWhatIsSet) {
+TEST(ChosenFormats, FollowPipelineAndSettings) {
   Builder b = twoFormats("full");
   std::string full = hashOf(compiled(b.pipeline));
   EXPECT_NE(full, hashOf(compiled(twoFormats("half").pipeline)));
@@ -441,7 +442,7 @@ TEST(ChosenFormats, MistakesAreRefused) {
             "unsigned integers and numbers");
 }
 
-TEST(ChosenFormats, ALoopStopsOnTheFormatThatIsChosen) {
+TEST(ChosenFormats, LoopStopsOnTheChosenFormat) {
   Builder b;
   b.beginLoop("shutter", 8, "measure.done");
   PassDesc& measure = b.compute("measure", {}, {"done"});
@@ -470,7 +471,7 @@ TEST(Memory, UsageFollowsFromThePorts) {
   EXPECT_EQ(image(plan, "add.sum").usage, kUsageStorage | kUsageTransferTarget | kUsageTransferSource);
 }
 
-// From the lifetimes' own definition: no two images in one slot are alive in one step.
+// Checked against the definition of lifetimes: no two images in one slot are alive in one step.
 TEST(Memory, RandomPipelinesNeverOverlap) {
   int shared = 0;
   for (uint32_t seed = 0; seed < 500; ++seed) {
@@ -491,7 +492,7 @@ TEST(Memory, RandomPipelinesNeverOverlap) {
   EXPECT_GT(shared, 500);
 }
 
-TEST(Canonical, IsTheSameForTheSame) {
+TEST(Canonical, IsEqualForEqualPlans) {
   for (uint32_t seed = 0; seed < 50; ++seed) {
     RandomPipeline random = randomPipeline(seed);
     std::string first = toJson(compile(random.pipeline, random.options)).dump();
@@ -500,7 +501,7 @@ TEST(Canonical, IsTheSameForTheSame) {
   EXPECT_EQ(hashOf(compiled(chain().pipeline)), hashOf(compiled(chain().pipeline)));
 }
 
-TEST(Canonical, TellsPlansApart) {
+TEST(Canonical, DistinguishesPlans) {
   Builder b = chain();
   std::string hash = hashOf(compiled(b.pipeline));
   EXPECT_NE(hash, hashOf(compile(b.pipeline, optionsOf(64, 33))));
@@ -511,7 +512,7 @@ TEST(Canonical, TellsPlansApart) {
   EXPECT_NE(with_param, hashOf(compiled(b.pipeline)));
 }
 
-// Documentation and places are not part of what is executed.
+// Documentation and places do not change the executed plan.
 TEST(Canonical, IgnoresTextsForPeople) {
   Builder b = chain();
   std::string hash = hashOf(compiled(b.pipeline));
@@ -569,7 +570,7 @@ TEST(Refusals, BuffersReadAsImagesAndBack) {
             "test.lua:2: node 'second' reads 'x' as an image, but 'first.x' is buffer32ui (passes/first.lua:4)");
 }
 
-TEST(Refusals, OptionalInputsMayBeLeftOutButNotAsASize) {
+TEST(Refusals, OptionalInputsCannotDecideASize) {
   Builder b = chain();
   b.pipeline.passes[2].reads[0].optional = true;
   b.node("third").inputs = {};
@@ -647,7 +648,7 @@ TEST(Refusals, SizesAndOutputs) {
   EXPECT_EQ(refusal(b.pipeline), "test.lua: pipeline 'test' has no output 'color'");
 }
 
-TEST(Refusals, RaysAtTimesNobodyBuildsAStructureFor) {
+TEST(Refusals, RaysAtATimeWithoutAStructure) {
   Builder b;
   b.trace("rays", {}, {"hit"});
   b.output("color", "rays.hit");

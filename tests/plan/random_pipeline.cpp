@@ -35,7 +35,7 @@ class Maker {
 
   const std::string& any(const std::vector<std::string>& list) { return list[below(static_cast<int>(list.size()))]; }
 
-  // Now and then a loop begins or ends, so the nodes of one follow each other.
+  // Occasionally begins or ends a loop, so that the nodes of a loop are consecutive.
   void moveLoop(int node) {
     if (below(4) != 0) return;
     bool inside = !builder_.loop.empty();
@@ -71,7 +71,7 @@ class Maker {
       }
   }
 
-  // Mostly what was written lately, so that lifetimes end and slots are shared.
+  // Prefers recent outputs, so that lifetimes end and slots are shared.
   const std::string& pick() {
     int count = static_cast<int>(sources_.size());
     return below(3) ? sources_[count - 1 - below(std::min(count, 4))] : any(sources_);

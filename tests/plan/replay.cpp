@@ -19,13 +19,13 @@ struct Touch {
   uint32_t reads = 0, writes = 0;
 };
 
-// An access that happened, and what has been guaranteed about it since.
+// A past access and its guarantees since then.
 struct Event {
   Touch touch;
   std::string command;
-  uint32_t followed_by = 0;                     // stages at which everything from now on comes after it
+  uint32_t followed_by = 0;                     // stages whose later accesses wait for this one
   bool available = false;                       // its writes have left the caches of its stage
-  std::array<uint32_t, kStageCount> visible{};  // accesses per stage that see its writes
+  std::array<uint32_t, kStageCount> visible{};  // accesses per stage with visible writes
 };
 
 class Replay {
@@ -60,7 +60,7 @@ class Replay {
     }
   }
 
-  // The barriers of one command are one batch: none of them waits for another.
+  // The barriers of one command are one batch: they do not wait for each other.
   void wait(const std::vector<Barrier>& barriers) {
     for (auto& [memory, events] : events_) {
       for (Event& event : events) {
@@ -97,7 +97,7 @@ class Replay {
     }
   }
 
-  // A depth attachment is cleared as a part of the pass: it may hold anything before.
+  // A depth attachment is cleared as a part of the pass: its earlier contents do not matter.
   void judgeContents(const Touch& touch, const std::string& command) {
     if (touch.reads & kAccessDepthRead) return;
     auto held = holds_.find(touch.memory);

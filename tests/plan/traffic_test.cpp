@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes that passes touch, counted by hand.
+// Bytes that passes read and write, counted by hand.
 #include "plan/traffic.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Plan compiled(const Builder& b) {
   return compile(b.pipeline, options);
 }
 
-TEST(Traffic, IsThatOfTheTexelsOfEveryPort) {
+TEST(Traffic, CountsTheTexelsOfEveryPort) {
   Builder b;
   b.raster("draw", {}, {"color rgba16f", "id rg32ui"});
   b.compute("twice", {{"a", "draw.color"}, {"b", "draw.color"}}, {"x r8_unorm"}, {"sum rg32f"});
@@ -35,12 +35,12 @@ TEST(Traffic, IsThatOfTheTexelsOfEveryPort) {
   Traffic draw = trafficOf(plan, "draw"), twice = trafficOf(plan, "twice");
   EXPECT_EQ(draw.read, 0u);
   EXPECT_EQ(draw.written, kTexels * (8 + 8 + 4)) << "colour, ids and depth";
-  EXPECT_EQ(twice.read, kTexels * (8 + 8)) << "an image of two ports once, and the sum";
+  EXPECT_EQ(twice.read, kTexels * (8 + 8)) << "an image read by two ports counts once; also the sum";
   EXPECT_EQ(twice.written, kTexels * (1 + 8));
   EXPECT_EQ(twice.bytes(), twice.read + twice.written);
 }
 
-TEST(Traffic, IsOfTheSizeOfEachImageAndOfOneExecution) {
+TEST(Traffic, CountsEachImageAtItsSizeForOneExecution) {
   Builder b;
   b.compute("all", {}, {"x"});
   PassDesc& tiles = b.compute("tiles", {{"x", "all.x"}}, {"most rg16f"});
@@ -55,7 +55,7 @@ TEST(Traffic, IsOfTheSizeOfEachImageAndOfOneExecution) {
   EXPECT_EQ(trafficOf(plan, "tiles").read, kTexels * 4);
   EXPECT_EQ(trafficOf(plan, "tiles").written, 3 * 2 * 4u) << "10 x 6 in tiles of 4, rounded up";
   EXPECT_EQ(trafficOf(plan, "last").read, 3 * 2 * 4u);
-  EXPECT_EQ(trafficOf(plan, "last").written, 5 * 16u) << "a third of what its loop does";
+  EXPECT_EQ(trafficOf(plan, "last").written, 5 * 16u) << "one of three iterations";
 }
 
 }  // namespace traffic_test

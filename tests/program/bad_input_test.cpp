@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user gets for a mistake: one line that names it, exit code 1 or 2, and no file.
+// A user's mistake gives one line that names it, exit code 1 or 2, and no file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void expectRefusal(const std::string& arguments, int exit_code, const std::strin
   EXPECT_NE(outcome.err.find(wanted), std::string::npos)
       << arguments << "\nsaid: " << outcome.err << "expected: " << wanted;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_TRUE(fs::is_empty(folder.path())) << arguments << " left a file behind";
+  EXPECT_TRUE(fs::is_empty(folder.path())) << arguments << " wrote a file";
 }
 
 const std::string kScene = " --scene oracles/bar --size 64x32";
@@ -38,7 +38,7 @@ TEST(BadInput, NamesAreRefusedWithTheNearest) {
   expectRefusal("rendr none" + kScene, 2, "did you mean 'render'?");
 }
 
-TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
+TEST(BadInput, WrongCommandLinesSuggestACorrection) {
   expectRefusal("render hybrid --sceen x", 2, "unknown option '--sceen'; did you mean '--scene'?");
   expectRefusal("render hybrid --sise=64x32", 2, "unknown option '--sise'; did you mean '--size'?");
   expectRefusal("--hlep", 2, "unknown option '--hlep'; did you mean '--help'?");
@@ -62,7 +62,7 @@ TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
   expectRefusal("render none" + kScene + " --spin bar=0,0,0,1", 2, "--spin 'bar=0,0,0,1': the axis is 0,0,0");
 }
 
-// An angle of the shutter where frame intervals are meant.
+// A shutter angle given in place of frame intervals.
 TEST(BadInput, LongExposuresAreWarnedOf) {
   const std::string warning = "--exposure 180 is 180 frame intervals; a shutter of 180 degrees is --exposure 0.5";
   Outcome angle = run("plan none" + kScene + " --exposure 180");
@@ -86,7 +86,7 @@ TEST(BadInput, ValuesAreRefusedWithTheirRange) {
   expectRefusal("render none" + kScene + " --set nonsense", 2, "NAME=VALUE");
 }
 
-TEST(BadInput, ScenesThatAreMissingOrCutShort) {
+TEST(BadInput, MissingOrTruncatedScenesAreRefused) {
   expectRefusal("render none --scene missing.glb --size 64x32", 1, "missing.glb");
   TemporaryFolder folder;
   writeText(folder / "short.glb", "glTF\x02");
@@ -96,13 +96,14 @@ TEST(BadInput, ScenesThatAreMissingOrCutShort) {
   expectRefusal("render none --size 64x32 --scene " + (folder / "typo.lua"), 1, "did you mean 'environment'?");
 }
 
-TEST(BadInput, ScriptsThatDoNotEnd) {
+TEST(BadInput, EndlessScriptsAreStopped) {
   TemporaryFolder folder;
   writeText(folder / "hungry.lua", "local t = {}\nfor i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end\n");
   expectRefusal("render " + (folder / "hungry.lua") + kScene, 1, "of memory");
   if (!allCases()) return;
   writeText(folder / "endless.lua", "while true do end\n");
-  // Of processor time, in the words that script.Limits tests; on a machine with other work, of wall clock.
+  // The limit is on processor time, as tested by script.Limits; on a busy machine the limit on wall-clock time may act
+  // first.
   expectRefusal("render " + (folder / "endless.lua") + kScene, 1, "(the limit for a script)");
 }
 
@@ -111,8 +112,8 @@ void copyHome(const TemporaryFolder& home) {
     fs::copy(strobe::home().shipped() / part, home.path() / part, fs::copy_options::recursive);
 }
 
-// `check` compiles passes that can be chosen but are not by default; told what to set, that graph alone.
-TEST(BadInput, CheckFindsWhatIsNotInUse) {
+// `check` compiles all passes that can be chosen; with --set, only the chosen graph.
+TEST(BadInput, CheckCompilesUnusedChoices) {
   TemporaryFolder home;
   copyHome(home);
   std::string environment = "STROBE_HOME=" + home.path().string();
@@ -128,12 +129,12 @@ TEST(BadInput, CheckFindsWhatIsNotInUse) {
   EXPECT_EQ(run("check --set weights=uniform", environment).exit_code, 2);
 }
 
-TEST(BadInput, MachinesThatCannot) {
+TEST(BadInput, MissingDevicesAreRefused) {
   expectRefusal("render none" + kScene, 1, "no Vulkan device", "VK_DRIVER_FILES=/nonexistent.json");
   expectRefusal("render none" + kScene + " --device nonesuch", 2, "nonesuch");
 }
 
-// What is misspelt is reported first, not what else is missing.
+// A misspelt name is reported before a missing display.
 TEST(BadInput, NamesAreCheckedBeforeTheDisplay) {
   for (const char* command : {"live hybrd", "live hybrid --vs mcguire2021"}) {
     Outcome outcome = run(command, "-u DISPLAY -u WAYLAND_DISPLAY");
@@ -143,7 +144,7 @@ TEST(BadInput, NamesAreCheckedBeforeTheDisplay) {
   EXPECT_NE(run("live hybrid", "-u DISPLAY -u WAYLAND_DISPLAY").err.find("no window can be opened"), std::string::npos);
 }
 
-TEST(BadInput, OutputsThatCannotBeWritten) {
+TEST(BadInput, UnwritableOutputsAreRefused) {
   Outcome outcome = run("render none" + kScene + " -o /dev/null/picture.exr");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("'/dev/null' is not a folder"), std::string::npos) << outcome.err;

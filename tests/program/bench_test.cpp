@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `strobe bench frames` from outside: the files it writes, another run and another program beside it, what it refuses.
-// No time is looked at.
+// The command `strobe bench frames`: written files, comparison with a run and with a program, refusals. No test depends
+// on a time.
 #include <gtest/gtest.h>
 
 #include "base/json.h"
@@ -18,7 +18,7 @@ Outcome frames(const std::string& options, const std::string& environment = "STR
 
 class Bench : public ::testing::Test {
  protected:
-  // One run that all compare with.
+  // A run that other tests compare with.
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
     first_ = frames(kMethods + kShot + "--rounds 2 -o " + (*folder_ / "out") + " --save " + (*folder_ / "saved.json"),
@@ -71,14 +71,14 @@ TEST_F(Bench, WritesAPageAndATrace) {
   size_t passes = 0, complete = 0;
   for (const Json& shot : run["shots"]) passes += shot["passes"].size();
   for (const Json& event : trace["traceEvents"]) complete += event["ph"] == "X";
-  EXPECT_EQ(complete, passes + 2 * 3) << "and of each shot its frame and the rest";
+  EXPECT_EQ(complete, passes + 2 * 3) << "passes, and the frame and rest of each shot";
   EXPECT_NE(first_.out.find("ratio to mcguire2012"), std::string::npos) << first_.out;
   EXPECT_NE(first_.out.find("index.html"), std::string::npos) << first_.out;
   if (run["device"]["software"].get<bool>())
     EXPECT_NE(first_.out.find("not comparable across machines"), std::string::npos) << first_.out;
 }
 
-// Rays are those that the counters of the passes tell, and stay the same from run to run.
+// A software device has no clock for passes in flight: its trace has only frames.
 TEST_F(Bench, TimesFramesInFlight) {
   const std::string out = *folder_ / "in_flight";
   Outcome outcome = frames("mcguire2012 hybrid " + kShot + "--rounds 2 --in-flight 2 -o " + out, "STROBE_VALIDATION=1");
@@ -91,13 +91,13 @@ TEST_F(Bench, TimesFramesInFlight) {
   const bool software = run["device"]["software"];
   for (const Json& shot : run["shots"]) {
     EXPECT_EQ(shot["interval_ms"].size(), 2u);
-    EXPECT_EQ(shot["passes"].empty(), software) << "a software device has no clock for them";
+    EXPECT_EQ(shot["passes"].empty(), software) << "a software device has no clock for passes";
   }
   EXPECT_EQ(outcome.out.find("no clock for passes") != std::string::npos, software) << outcome.out;
   size_t complete = 0;
   const Json trace = fileOf("in_flight/trace.json");
   for (const Json& event : trace["traceEvents"]) complete += event["ph"] == "X";
-  EXPECT_EQ(complete == 2, software) << complete << ", frames alone";
+  EXPECT_EQ(complete == 2, software) << complete << ", only frames";
   EXPECT_NE(run["command"].get<std::string>().find("--in-flight=2"), std::string::npos);
   EXPECT_FALSE(fileOf("out/bench.json")["shots"][0].contains("interval_ms"));
   expectRefusal("hybrid " + kShot + "--in-flight 9", 2, "Value 9 not in range 1 to 8");
@@ -145,7 +145,7 @@ TEST_F(Bench, RefusesMisuse) {
   expectRefusal("hybrid --within 0.1 --against " + programPath(), 2, "--within cannot be used with a program");
 }
 
-TEST_F(Bench, RefusesOtherRuns) {
+TEST_F(Bench, RefusesOtherFiles) {
   const std::string page = *folder_ / "out/index.html";
   expectRefusal("hybrid " + kShot + "--against " + page, 1, page + ": is not a run of `strobe bench frames`");
   expectRefusal("hybrid " + kShot + "--against " + saved(), 1, "it also has 'mcguire2012, oracles/bar, 32x18'");

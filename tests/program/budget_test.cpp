@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe render --budget-ms`: the quality is chosen by times, recorded, and enough to draw the picture again.
+// `strobe render --budget-ms` chooses the quality by times and records it, so that the picture can be drawn again.
 #include <gtest/gtest.h>
 
 #include "base/json.h"
@@ -20,7 +20,7 @@ class BudgetedRender : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(BudgetedRender, RecordsTheQualityAsIfItWereSetByHand) {
+TEST_F(BudgetedRender, RecordsTheQualityAsASetting) {
   Outcome outcome = draw("--budget-ms 100000 --set quality=0.8", "budget");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("quality=1: a frame takes "), std::string::npos) << outcome.err;
@@ -31,7 +31,7 @@ TEST_F(BudgetedRender, RecordsTheQualityAsIfItWereSetByHand) {
   EXPECT_EQ(record("budget"), record("again"));
 }
 
-TEST_F(BudgetedRender, WarnsOfABudgetThatIsNotMet) {
+TEST_F(BudgetedRender, WarnsOfAMissedBudget) {
   Outcome outcome = draw("--budget-ms 0.000001", "low");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("warning: quality=0: a frame takes "), std::string::npos) << outcome.err;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `strobe capture`, `verify` and `diff` from outside: the same bits under every disturbance, what differs and why,
-// where a capture was killed, bundles and zips that verify elsewhere, the crate, and what is refused.
+// The commands `strobe capture`, `verify` and `diff`: the same bits under every disturbance, named differences,
+// captures that are killed and continued, bundles and zips that verify elsewhere, the crate, and refusals.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -47,7 +47,7 @@ class Capture : public ::testing::Test {
     return run("capture " + script_ + " -o " + path(out) + " " + more, environment);
   }
   Json manifest(const std::string& out) const { return Json::parse(contentOf(path(out + "/manifest.json"))); }
-  // Hashes of all files for people and programs, by name.
+  // Hashes of all pictures and figures, by file name.
   std::map<std::string, std::string> images(const std::string& out) const {
     std::map<std::string, std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(path(out))) {
@@ -57,7 +57,7 @@ class Capture : public ::testing::Test {
     }
     return found;
   }
-  // A home of its own, whose shaders can be edited.
+  // A copy of the home with editable shaders.
   std::string copiedHome() const {
     fs::create_directories(path("home"));
     for (const char* part : {"passes", "shaders", "scripts"})
@@ -75,14 +75,14 @@ class Capture : public ::testing::Test {
   const std::string script_ = folder_ / "own/small.lua";
 };
 
-TEST_F(Capture, IsTheSameUnderAllDisturbances) {
+TEST_F(Capture, IsReproducibleUnderAllDisturbances) {
   Outcome first = capture("first", "", "STROBE_VALIDATION=1");
   ASSERT_EQ(first.exit_code, 0) << first.err;
   ASSERT_EQ(images("first").size(), 2u * 5 + 2);
   EXPECT_EQ(runLine("cd " + path("first") + " && sha256sum -c SHA256SUMS").exit_code, 0);
   Json was = manifest("first");
   for (const Json& picture : was["pictures"]) EXPECT_EQ(picture["runs"], 1) << picture["name"];
-  EXPECT_EQ(contentOf(path("first/manifest.json")).find(path("")), std::string::npos) << "the path of a machine";
+  EXPECT_EQ(contentOf(path("first/manifest.json")).find(path("")), std::string::npos) << "a path of this machine";
   for (const char* threads : {"1", "8"}) {
     std::string out = std::string("threads_") + threads;
     Outcome again = runLine("cd / && umask 077 && exec env STROBE_VALIDATION=0 LP_NUM_THREADS=" + std::string(threads) +
@@ -99,7 +99,7 @@ TEST_F(Capture, IsTheSameUnderAllDisturbances) {
   EXPECT_EQ(same.out, "no differences\n");
 }
 
-TEST_F(Capture, AnEditedCommentChangesHashesOfFilesAlone) {
+TEST_F(Capture, EditedCommentChangesOnlyHashesOfFiles) {
   const std::string home = copiedHome();
   ASSERT_EQ(capture("first", "", home).exit_code, 0);
   replaceIn("home/shaders/hybrid/ray_reveal.glsl", "// SPDX", "// edited\n// SPDX");
@@ -111,7 +111,7 @@ TEST_F(Capture, AnEditedCommentChangesHashesOfFilesAlone) {
   is["inputs"] = was["inputs"];
   EXPECT_EQ(is, was);
   Outcome diff = run("diff " + path("first") + " " + path("second"));
-  EXPECT_EQ(diff.exit_code, 0) << "the pictures are the same";
+  EXPECT_EQ(diff.exit_code, 0) << "the pictures are equal";
   EXPECT_NE(diff.out.find("input altered: strobe:passes/hybrid/ray_reveal.lua\n  line 1: -- SPDX"), std::string::npos)
       << diff.out;
   Outcome verified = run("verify " + path("first"), home);
@@ -120,13 +120,13 @@ TEST_F(Capture, AnEditedCommentChangesHashesOfFilesAlone) {
       << verified.out;
 }
 
-// All that a pass writes, moved a little, in each pass; in the short form in every third pass.
-TEST_F(Capture, VerifyNamesThePassThatDiffersFirst) {
+// Changes all outputs of one pass at a time; the short form changes every third pass.
+TEST_F(Capture, VerifyNamesTheFirstDifferingPass) {
   const std::string home = copiedHome();
   ASSERT_EQ(capture("out", "--only card.hybrid", home).exit_code, 0);
   Json passes = manifest("out")["pictures"][0]["passes"];
   ASSERT_GE(passes.size(), 10u);
-  std::map<std::string, std::string> first_with;  // of the nodes of one shader, the one that runs first
+  std::map<std::string, std::string> first_with;  // first node of each shader
   for (const Json& pass : passes) first_with.try_emplace(pass["shader"], pass["node"]);
   int number = 0;
   for (const Json& pass : passes) {
@@ -136,7 +136,7 @@ TEST_F(Capture, VerifyNamesThePassThatDiffersFirst) {
     if (!fs::exists(path(file))) file = "home/shaders/" + name + ".frag.glsl";
     SCOPED_TRACE(node);
     const std::string whole = contentOf(path(file));
-    // Of floats one more in the first place; of ids, and what raster writes, another constant.
+    // Add 0.0625 to floats and 1 to ids; in raster shaders, add 1 to the last output.
     std::string edited = whole;
     size_t at = edited.find("imageStore(", edited.find("void run("));
     if (at != std::string::npos) {
@@ -161,7 +161,7 @@ TEST_F(Capture, VerifyNamesThePassThatDiffersFirst) {
   }
 }
 
-TEST_F(Capture, OneUnitInTheLastPlaceOfOnePixelIsFound) {
+TEST_F(Capture, FindsOneUnitInTheLastPlaceOfOnePixel) {
   const std::string home = copiedHome();
   ASSERT_EQ(capture("out", "--only card.none", home).exit_code, 0);
   replaceIn("home/shaders/gbuffer/shade.glsl", "imageStore(color_img, pixel, ",
@@ -178,7 +178,7 @@ TEST_F(Capture, OneUnitInTheLastPlaceOfOnePixelIsFound) {
   EXPECT_TRUE(fs::exists(path("maps/card.none.shade.color.png")));
 }
 
-TEST_F(Capture, ABundleVerifiesWithoutTheOriginals) {
+TEST_F(Capture, BundleVerifiesWithoutTheOriginals) {
   ASSERT_EQ(capture("bundle", "--bundle").exit_code, 0);
   fs::create_directories(path("elsewhere"));
   fs::rename(path("bundle"), path("elsewhere/moved"));
@@ -187,7 +187,7 @@ TEST_F(Capture, ABundleVerifiesWithoutTheOriginals) {
   const std::string alone = "STROBE_VALIDATION=0 STROBE_HOME=" + path("empty") + " STROBE_DATA=" + path("empty");
   Outcome verified = run("verify " + path("elsewhere/moved"), alone);
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
-  // It holds what the manifest lists, and nothing else.
+  // The bundle contains exactly the files listed in the manifest.
   std::set<std::string> held, listed;
   Json stated = manifest("elsewhere/moved");
   for (const auto& entry : fs::recursive_directory_iterator(path("elsewhere/moved/inputs")))
@@ -202,8 +202,8 @@ TEST_F(Capture, ABundleVerifiesWithoutTheOriginals) {
   EXPECT_NE(run("verify " + path("elsewhere/moved"), alone).err.find("is missing"), std::string::npos);
 }
 
-// What RO-Crate 1.1 and the profile demand of structure, and that all it says of files is so.
-TEST_F(Capture, ItsCrateDescribesEveryFile) {
+// The crate has the structure required by RO-Crate 1.1 and its profile, and true statements about files.
+TEST_F(Capture, CrateDescribesEveryFile) {
   ASSERT_EQ(capture("out", "--only card").exit_code, 0);
   const std::string tool = "python3 '" + (sourceFolder() / "tools/crate.py").string() + "' " + path("out");
   ASSERT_EQ(runLine("SOURCE_DATE_EPOCH=1595116801 exec " + tool).exit_code, 0);
@@ -230,7 +230,7 @@ TEST_F(Capture, ItsCrateDescribesEveryFile) {
   EXPECT_EQ(action["@type"], "CreateAction");
   EXPECT_EQ(entities.at(action["instrument"]["@id"].get<std::string>())["@type"], "SoftwareApplication");
 
-  // Every link leads to an entity, but that to the specification; files are parts, and are there as they are described.
+  // Every link except the link to the specification leads to an entity; files are parts and match their description.
   std::set<std::string> parts = idsOf(root["hasPart"]), files;
   for (const auto& [id, entity] : entities) {
     for (const Json& value : id == "ro-crate-metadata.json" ? Json::object() : entity)
@@ -248,23 +248,24 @@ TEST_F(Capture, ItsCrateDescribesEveryFile) {
   std::set<std::string> used = idsOf(action["object"]), made = idsOf(action["result"]);
   EXPECT_TRUE(used.count("inputs/capture/small.lua") && used.count("inputs/capture/scene.lua"));
   EXPECT_EQ(used.size(), manifest("out")["inputs"].size());
-  EXPECT_EQ(made.size(), manifest("out")["files"].size() + 1) << "and the manifest";
+  EXPECT_EQ(made.size(), manifest("out")["files"].size() + 1) << "all files and the manifest";
   EXPECT_TRUE(made.count("pictures/card.hybrid.png") && made.count("manifest.json"));
   used.insert(made.begin(), made.end()), used.insert("SHA256SUMS");
   EXPECT_EQ(used, files);
-  EXPECT_EQ(runLine("cd " + path("out") + " && grep -c ro-crate SHA256SUMS").out, "0\n") << "it is derived";
+  EXPECT_EQ(runLine("cd " + path("out") + " && grep -c ro-crate SHA256SUMS").out, "0\n")
+      << "the crate is derived and not in the list";
   Outcome refused = runLine("SOURCE_DATE_EPOCH=today exec " + tool);
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_NE(refused.err.find("SOURCE_DATE_EPOCH is not a number of seconds"), std::string::npos) << refused.err;
 }
 
-TEST_F(Capture, AZipVerifiesWhereItIsUnpacked) {
+TEST_F(Capture, ZipVerifiesAfterUnpacking) {
   ASSERT_EQ(capture("first", "--only card.none --zip").exit_code, 0);
   ASSERT_EQ(runLine("umask 077 && exec env STROBE_VALIDATION=0 TZ=Asia/Kathmandu '" + programPath() + "' capture " +
                     script_ + " --only card.none --zip -o " + path("second/"))
                 .exit_code,
             0);
-  EXPECT_TRUE(contentOf(path("first.zip")) == contentOf(path("second.zip"))) << "the same bytes";
+  EXPECT_TRUE(contentOf(path("first.zip")) == contentOf(path("second.zip"))) << "equal bytes";
   Outcome listed = runLine("python3 -c 'import zipfile\nfor f in zipfile.ZipFile(\"" + path("first.zip") +
                            "\").infolist(): print(f.date_time, oct(f.external_attr >> 16), f.filename)'");
   ASSERT_EQ(listed.exit_code, 0) << listed.err;
@@ -286,7 +287,7 @@ TEST_F(Capture, AZipVerifiesWhereItIsUnpacked) {
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
 }
 
-TEST_F(Capture, ASignalStopsItAndASecondOneInTheFolderIsRefused) {
+TEST_F(Capture, SignalStopsItAndASecondCaptureIsRefused) {
   pid_t child = ::fork();
   if (child == 0) {
     std::string line = "exec '" + programPath() + "' capture " + script_ + " -o " + path("out") + " >/dev/null 2>&1";
@@ -308,7 +309,7 @@ TEST_F(Capture, ASignalStopsItAndASecondOneInTheFolderIsRefused) {
   EXPECT_EQ(capture("out").exit_code, 0);
 }
 
-TEST_F(Capture, KilledAtAnyMomentItGoesOn) {
+TEST_F(Capture, ContinuesAfterAKillAtAnyTime) {
   ASSERT_EQ(capture("whole").exit_code, 0);
   std::mt19937 random(1);
   for (int i = 0; i < (allCases() ? 30 : 8); ++i) {
@@ -324,15 +325,16 @@ TEST_F(Capture, KilledAtAnyMomentItGoesOn) {
     ::kill(-child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     if (!fs::exists(path("killed"))) continue;
-    for (const auto& [name, hash] : images("killed")) EXPECT_EQ(hash, images("whole")[name]) << name << " is not whole";
+    for (const auto& [name, hash] : images("killed"))
+      EXPECT_EQ(hash, images("whole")[name]) << name << " is incomplete";
   }
   ASSERT_EQ(capture("killed").exit_code, 0);
   EXPECT_EQ(images("killed"), images("whole"));
   EXPECT_EQ(contentOf(path("killed/manifest.json")), contentOf(path("whole/manifest.json")));
 }
 
-// How a picture is shown and named is no part of what is drawn, but of its files.
-TEST_F(Capture, AnEditOfToneOrLabelsDrawsAgain) {
+// Tone and labels do not change the drawn pictures, but change the files.
+TEST_F(Capture, EditedToneOrLabelsDrawAgain) {
   replaceIn("own/small.lua", "frames = { 0, 2, 1 }", "vary = { exposure = { 0.2, 0.4 } }, stops = 0");
   ASSERT_EQ(capture("edited", "--only past").exit_code, 0);
   auto before = images("edited");
@@ -344,7 +346,7 @@ TEST_F(Capture, AnEditOfToneOrLabelsDrawsAgain) {
   EXPECT_EQ(manifest("edited"), manifest("fresh"));
 }
 
-TEST_F(Capture, TheExampleOfItsPageRuns) {
+TEST_F(Capture, ExampleOfThePageRuns) {
   std::string page = contentOf(sourceFolder() / "docs/captures.md");
   size_t from = page.find("```lua\n") + 7, to = page.find("```", from);
   ASSERT_NE(to, std::string::npos);
@@ -355,8 +357,8 @@ TEST_F(Capture, TheExampleOfItsPageRuns) {
   EXPECT_EQ(manifest("out")["pictures"].size(), 3u);
 }
 
-// By a link in the folder of the script, as by its path.
-TEST_F(Capture, RefusesALinkThatLeadsOut) {
+// A link in the script's folder is refused like its target's path.
+TEST_F(Capture, RefusesALinkToAnotherFolder) {
   fs::create_directories(path("elsewhere"));
   fs::rename(path("own/scene.lua"), path("elsewhere/scene.lua"));
   fs::create_symlink(path("elsewhere/scene.lua"), path("own/scene.lua"));
@@ -365,7 +367,7 @@ TEST_F(Capture, RefusesALinkThatLeadsOut) {
   EXPECT_NE(outcome.err.find("lies outside"), std::string::npos) << outcome.err;
 }
 
-TEST_F(Capture, RefusesWhatIsWrong) {
+TEST_F(Capture, RefusesMistakes) {
   auto refused = [&](const std::string& from, const std::string& to, const std::string& wanted) {
     std::string text = kCapture;
     size_t at = text.find(from);

@@ -18,7 +18,7 @@
 namespace strobe::testing {
 namespace cluster_test {
 
-// 60 points: two arms at 30 combinations, of which six have a truth of their own.
+// 60 points: two arms at 30 combinations, with six different truths.
 const char* const kSixty = R"lua(
 local experiment = require "strobe.experiment"
 return experiment {
@@ -32,7 +32,7 @@ return experiment {
 
 bool has(const std::string& program) { return runLine("PATH=$PATH:/usr/sbin command -v " + program).exit_code == 0; }
 
-// Waits until `is_reached()`, at most a minute.
+// Waits until `is_reached()`, for at most a minute.
 template <class Is>
 bool waitUntil(const Is& is_reached) {
   for (int tries = 0; tries < 600; ++tries) {
@@ -77,13 +77,13 @@ class Cluster : public ::testing::Test {
     return count;
   }
   std::string table(const std::string& out) const { return contentOf(folder_ / (out + "/table.csv")); }
-  // Table of one process.
+  // Table of a sweep in one process.
   std::string expected() const {
     Outcome outcome = run(sweep("one"), "STROBE_VALIDATION=0");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return table("one");
   }
-  // Every point once per region, with its numbers, as one process has it.
+  // Every point occurs once per region, with the numbers of a sweep in one process.
   void expectWhole(const std::string& out) const {
     std::istringstream lines(table(out));
     std::set<std::string> points;
@@ -146,7 +146,7 @@ TEST_F(Cluster, BashRunsAllSharesAtOnce) {
   expectWhole("out");
 }
 
-// Not a package of the tests, because it depends on 680 MB of cloud libraries.
+// Snakemake is not installed for the tests, because it depends on 680 MB of cloud libraries.
 TEST_F(Cluster, SnakemakeRunsTheShares) {
   const std::string file = script("out", "--export snakemake", "sweep.smk");
   if (!has("snakemake")) GTEST_SKIP() << "Snakemake is missing";
@@ -157,7 +157,7 @@ TEST_F(Cluster, SnakemakeRunsTheShares) {
   expectWhole("out");
 }
 
-TEST_F(Cluster, WithoutSlurmSubmitIsOneClearLine) {
+TEST_F(Cluster, SubmitWithoutSlurmIsOneClearLine) {
   Outcome outcome = run(sweep("out", "--sbatch --submit"), "STROBE_VALIDATION=0 PATH=/nowhere");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("strobe: sbatch is not found: Slurm is not installed here; the script is " +
@@ -170,8 +170,7 @@ TEST_F(Cluster, WithoutSlurmSubmitIsOneClearLine) {
   EXPECT_EQ(run(sweep("out", "--sbatch --time 1h"), "STROBE_VALIDATION=0").exit_code, 2);
 }
 
-// An edited script is kept when the script is written again.
-TEST_F(Cluster, AnEditedScriptIsKept) {
+TEST_F(Cluster, EditedScriptIsKept) {
   const std::string file = script("out", "--sbatch", "sweep.sbatch");
   writeText(file, contentOf(file) + "# edited\n");
   script("out", "--sbatch", "sweep.sbatch");
@@ -231,7 +230,7 @@ class Slurm : public Cluster {
   bool isRunning(const std::string& task) const { return slurm("squeue -h -o %T -j " + task) == "RUNNING\n"; }
   // Jobs that have not ended.
   std::string queue() const { return slurm("squeue -h -o '%i %T'"); }
-  // True if no job of these options has to end. False while the controller starts.
+  // True if all jobs of these options have ended. False while the controller starts.
   bool isEmpty(const std::string& options = "") const {
     Outcome outcome = runLine("squeue -h " + options);
     return outcome.exit_code == 0 && outcome.out.empty();
@@ -253,7 +252,7 @@ class Slurm : public Cluster {
   std::unique_ptr<Daemon> munge_, controller_, node_;
 };
 
-TEST_F(Slurm, KilledRequeuedAndWithoutControllerItDrawsEveryPointOnce) {
+TEST_F(Slurm, DrawsEveryPointOnceThroughKillRequeueAndControllerLoss) {
   const std::string array = submitted();
   ASSERT_TRUE(waitUntil([&] { return drawn("out") >= 4 && isRunning(array + "_1") && isRunning(array + "_2"); }))
       << queue() << logs("out");
@@ -266,10 +265,10 @@ TEST_F(Slurm, KilledRequeuedAndWithoutControllerItDrawsEveryPointOnce) {
   })) << queue();
   ASSERT_TRUE(waitUntil([&] { return isEmpty(); })) << queue();
   const std::string report = contentOf(folder_ / "out/logs/report.log");
-  EXPECT_NE(report.find("not drawn yet: "), std::string::npos) << "of the killed task\n"
+  EXPECT_NE(report.find("not drawn yet: "), std::string::npos) << "missing the points of the killed task\n"
                                                                << logs("out") << slurm("scontrol show jobs");
   EXPECT_LT(drawn("out"), 66u);
-  EXPECT_NE(logs("out").find("share 2/4: "), std::string::npos) << "of the requeued task\n"
+  EXPECT_NE(logs("out").find("share 2/4: "), std::string::npos) << "missing the log of the requeued task\n"
                                                                 << logs("out") << slurm("scontrol show jobs");
 
   // The same script again draws the points of the killed task.

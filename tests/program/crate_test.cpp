@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools/crate.py, from outside: the crate of a manifest. What was not copied, what is said of scenes, names as URIs,
-// the version, the day.
+// tools/crate.py: the crate of a manifest. Files that were not copied, scenes, names as URIs, version and date.
 #include <gtest/gtest.h>
 
 #include "base/json.h"
@@ -62,7 +61,7 @@ class CrateOfManifest : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(CrateOfManifest, WhatWasNotCopiedIsNoFileOfIt) {
+TEST_F(CrateOfManifest, UncopiedFilesAreNotParts) {
   EXPECT_EQ(entity("inputs/capture/a%20b.lua")["@type"], "File");
   EXPECT_EQ(entity("inputs/capture/a%20b.lua")["description"], "The script of the capture");
   EXPECT_TRUE(links("./", "hasPart", "inputs/capture/a%20b.lua"));
@@ -75,7 +74,7 @@ TEST_F(CrateOfManifest, WhatWasNotCopiedIsNoFileOfIt) {
   EXPECT_TRUE(links("#capture", "object", texture));
 }
 
-TEST_F(CrateOfManifest, PicturesNameTheSceneWhoseAuthorIsKnown) {
+TEST_F(CrateOfManifest, PicturesNameScenesWithAKnownAuthor) {
   Json scene = entity(entity("pictures/room.x.png")["isBasedOn"]["@id"].get<std::string>());
   EXPECT_EQ(scene["name"], "A room");
   EXPECT_EQ(scene["author"], "Author");
@@ -85,14 +84,14 @@ TEST_F(CrateOfManifest, PicturesNameTheSceneWhoseAuthorIsKnown) {
   EXPECT_FALSE(entity("pictures/bare.x.png").contains("isBasedOn"));
 }
 
-TEST_F(CrateOfManifest, SaysWhatRan) {
+TEST_F(CrateOfManifest, DescribesTheRun) {
   EXPECT_EQ(entity("#strobe")["softwareVersion"], "0.1.0+abc.modified");
   EXPECT_EQ(entity("#capture")["description"], "strobe capture capture:a b.lua --size 64x36\nDrawn by Device, Driver");
   EXPECT_EQ(entity("./")["description"].get<std::string>().substr(0, 15), "A note. A captu");
   EXPECT_EQ(entity("./")["datePublished"], "2020-07-19");
 }
 
-TEST_F(CrateOfManifest, TheDayIsThatOfTheEnvironmentInUtc) {
+TEST_F(CrateOfManifest, DateIsOfTheEnvironmentInUtc) {
   EXPECT_EQ(dayAt("0"), "1970-01-01");
   EXPECT_EQ(dayAt("86399"), "1970-01-01");
   EXPECT_EQ(dayAt("951782400"), "2000-02-29");
@@ -101,11 +100,11 @@ TEST_F(CrateOfManifest, TheDayIsThatOfTheEnvironmentInUtc) {
     EXPECT_EQ(write(fmt::format("'SOURCE_DATE_EPOCH={}'", wrong)).exit_code, 1) << wrong;
 }
 
-TEST_F(CrateOfManifest, TheDayIsTheFirstOneWhereTheRevisionIsUnknown) {
+TEST_F(CrateOfManifest, DateIsTheEpochIfTheRevisionIsUnknown) {
   EXPECT_EQ(entity("./", "-u SOURCE_DATE_EPOCH")["datePublished"], "1970-01-01");
 }
 
-TEST_F(CrateOfManifest, WhatIsNoManifestIsRefused) {
+TEST_F(CrateOfManifest, OtherFilesAreRefused) {
   writeText(folder_ / "manifest.json", "{}");
   Outcome refused = write("");
   EXPECT_EQ(refused.exit_code, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that a sweep or a capture has written and that were damaged since: each is named, counts as missing and is made
-// again; no command ends in anything but exit code 0, 1 or 2.
+// Damaged files of a sweep or a capture: each is named, counts as missing and is made again. Commands end only with
+// exit code 0, 1 or 2.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ return require "strobe.capture" {
 
 using Files = std::vector<fs::path>;
 
-// Regular files below a folder, in the order of their names.
+// Regular files below a folder, sorted by name.
 Files filesIn(const fs::path& folder) {
   Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -55,7 +55,7 @@ size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-// A sweep and a capture that are whole; each test damages a copy.
+// A complete sweep and a complete capture; each test damages a copy.
 class DamagedFiles : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -85,7 +85,7 @@ class DamagedFiles : public ::testing::Test {
                    programPath() + "' " + arguments);
   }
 
-  // One line for each file that is named as damaged; then nothing is damaged any more.
+  // One line for each damaged file; afterwards no file is damaged.
   static void expectMadeAgain(size_t damaged) {
     Outcome first = program("sweep x.lua -o copy");
     EXPECT_EQ(first.exit_code, 0) << first.err;
@@ -118,8 +118,8 @@ TEST_F(DamagedFiles, OfPointsAreDrawnAgain) {
   expectMadeAgain(8);
 }
 
-// One digit of one value is another: still a point, and not what was measured.
-TEST_F(DamagedFiles, WithAnotherValueAreNoticed) {
+// One changed digit of a value: a valid point with another value.
+TEST_F(DamagedFiles, WithAnotherValueAreFound) {
   for (const fs::path& point : filesIn(path("copy/points"), ".json")) {
     std::string text = contentOf(point);
     size_t at = text.find("\"whole\": 0.0");
@@ -142,8 +142,8 @@ TEST_F(DamagedFiles, OfTruthsAreDrawnAgain) {
   expectMadeAgain(4);
 }
 
-// An EXR file that is whole, of the right size, and says something else.
-TEST_F(DamagedFiles, OfATruthWithAnotherTextAreNoticed) {
+// A valid EXR file of the right size with another text.
+TEST_F(DamagedFiles, OfATruthWithAnotherTextAreFound) {
   const fs::path truth = filesIn(path("copy/truth"), ".exr")[0];
   std::string text = contentOf(truth);
   size_t at = text.find("ground_truth");
@@ -158,7 +158,7 @@ TEST_F(DamagedFiles, OfPicturesAreDrawnAgain) {
   Files shown = filesIn(path("copy/points"), ".png");
   fs::resize_file(shown[0], 30);
   fs::copy_file(path("copy/report.png"), shown[1], fs::copy_options::overwrite_existing);
-  // Of three points, whose names are in one order.
+  // Damage files of three points, in the order of their names.
   fs::resize_file(filesIn(path("copy/bar"), ".exr")[0], 100);
   writeText(filesIn(path("copy/bar"), ".png")[1], "x");
   writeText(filesIn(path("copy/bar"), ".record.json")[2], "{");
@@ -176,7 +176,7 @@ TEST_F(DamagedFiles, OfTheFolderAreWrittenAgain) {
     writeText(path("copy/experiment.json"), content);
     expectMadeAgain(1);
   }
-  // Of another experiment it is not damaged.
+  // A file of another experiment is not damaged.
   writeText(path("copy.lua"), std::string(kExperiment).replace(std::string(kExperiment).find("Damaged"), 7, "Another"));
   Outcome refused = program("sweep copy.lua -o copy");
   EXPECT_EQ(refused.exit_code, 2);
@@ -191,9 +191,9 @@ TEST_F(DamagedFiles, OfTheFolderAreWrittenAgain) {
   expectMadeAgain(0);
 }
 
-// ---- any damage
+// ---- Random damage
 
-// How a file is damaged, by a random number.
+// Damages a file in a random way.
 void damage(const fs::path& file, const Files& others, std::mt19937& random) {
   auto below = [&](size_t n) { return size_t(random() % std::max<size_t>(n, 1)); };
   std::string text = contentOf(file);
@@ -224,7 +224,7 @@ void damage(const fs::path& file, const Files& others, std::mt19937& random) {
   writeText(file, text);
 }
 
-// Ends by itself, in words of its own.
+// The command ended with its own exit code and its own messages.
 void expectEnded(const Outcome& outcome, const std::string& what) {
   EXPECT_TRUE(outcome.exit_code >= 0 && outcome.exit_code <= 2) << what << ": " << outcome.exit_code << "\n"
                                                                 << outcome.err;
@@ -235,7 +235,7 @@ void expectEnded(const Outcome& outcome, const std::string& what) {
 
 class AnyDamage : public DamagedFiles {
  protected:
-  // A file of the sweep, and perhaps a point less, so that what it needs is read.
+  // Damages a file of the sweep, and sometimes removes a point, so that the sweep reads the files it needs.
   static std::string damageSweep(std::mt19937& random) {
     Files files = filesIn(path("copy"));
     std::erase_if(files, [](const fs::path& file) {
@@ -287,15 +287,15 @@ class AnyDamage : public DamagedFiles {
   }
 };
 
-// The value of a variable of the environment, or another number.
+// Value of an environment variable, or another number.
 int numberIn(const char* variable, int otherwise) {
   const char* value = std::getenv(variable);
   return value ? std::atoi(value) : otherwise;
 }
 
-// STROBE_DAMAGED_COPIES: number of copies. STROBE_DAMAGED_FIRST: number of the first one, so that processes can share a
-// long run.
-TEST_F(AnyDamage, EndsInOneLineAndIsMended) {
+// STROBE_DAMAGED_COPIES: number of copies. STROBE_DAMAGED_FIRST: number of the first copy, so that processes can share
+// a long run.
+TEST_F(AnyDamage, EndsWithOneLineAndIsRepaired) {
   const int first = numberIn("STROBE_DAMAGED_FIRST", 0), copies = numberIn("STROBE_DAMAGED_COPIES", 4);
   for (int i = first; i < first + copies && !HasFailure(); ++i) {
     std::mt19937 random(static_cast<unsigned>(i));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The examples of a new project: each renders, and its picture has the properties that its texts state. The pages for
-// authors show these files.
+// The examples of a new project: each renders, and its picture has the stated properties. The pages for authors show
+// these files.
 #include <gtest/gtest.h>
 
 #include "base/json.h"
@@ -26,7 +26,8 @@ class Examples : public ::testing::Test {
     return run(command, "-C '" + path("").string() + "' STROBE_VALIDATION=1");
   }
 
-  // Hash of the colour of a picture in which the card moves by 3.6 px. Messages of the validation layer fail the
+  // Hash of the colour of a picture with a card that moves by 3.6 px. Messages of the validation layer fail the
+  // command.
   // command.
   std::string colorOf(const std::string& pipeline_and_options) const {
     Outcome drawn = inside("render " + pipeline_and_options +
@@ -64,22 +65,22 @@ TEST_F(Examples, EqualTheSharpPictureWithoutMotion) {
     EXPECT_EQ(color_of(blur), sharp) << blur;
 }
 
-TEST_F(Examples, ChoosesAMemberOfItsFamily) {
+TEST_F(Examples, ChoosesAMemberOfAFamily) {
   EXPECT_NE(colorOf("motion_tint --set tint=speed"), colorOf("motion_tint --set tint=direction"));
 }
 
-// The detector marks the silhouette of the card, so rays reveal the wall behind it.
-TEST_F(Examples, ADetectorDecidesWhereRaysAreTraced) {
+// The detector marks the silhouette of the card, so that rays reveal the wall in the background.
+TEST_F(Examples, DetectorDecidesWhereRaysAreTraced) {
   EXPECT_NE(colorOf("hybrid --set edge=depth_step"),
             colorOf("hybrid --set edge=depth_step --set edge.depth_threshold=16"));
 }
 
-TEST_F(Examples, ASecondSurfaceIsBlendedByItsShare) {
+TEST_F(Examples, SecondSurfaceIsBlendedByItsShare) {
   EXPECT_EQ(colorOf("second_surface --set share=0"), colorOf("none"));
   EXPECT_NE(colorOf("second_surface --set share=1"), colorOf("second_surface"));
 }
 
-TEST_F(Examples, ThePartialBlurLiesBetweenItsEnds) {
+TEST_F(Examples, PartialBlurLiesBetweenItsEnds) {
   const std::string sharp = colorOf("none"), blurred = colorOf("mcguire2012 --set weights=mcguire2012");
   EXPECT_EQ(colorOf("partial_blur --set strength=0"), sharp);
   EXPECT_EQ(colorOf("partial_blur --set strength=1"), blurred);
@@ -89,13 +90,13 @@ TEST_F(Examples, ThePartialBlurLiesBetweenItsEnds) {
   EXPECT_NE(half, blurred);
 }
 
-// Omitted passes change no picture.
-TEST_F(Examples, AreTheSameWithEveryPassRun) {
+// Omitting passes does not change a picture.
+TEST_F(Examples, AreTheSameWithoutOmission) {
   for (const char* pipeline : {"motion_tint", "motion_tint --set tint=direction", "partial_blur --set masked=true"})
     EXPECT_EQ(colorOf(pipeline), colorOf(std::string(pipeline) + " --model-everything")) << pipeline;
 }
 
-TEST_F(Examples, AreTheFilesThatThePagesShow) {
+TEST_F(Examples, MatchTheFilesOnThePages) {
   for (const char* name : kPages) {
     const Page page = readPage(name);
     EXPECT_GE(page.files.size(), 1u) << name;

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What OpenImageIO and NumPy find in an OpenEXR file, as JSON for exr_test.cpp.
+"""Content of an OpenEXR file read by OpenImageIO and NumPy, as JSON for exr_test.cpp.
 
 parts FILE    each part: name, size, channels with their type and the SHA-256 of their values (floats as 32 bits),
               attributes
-mattes FILE   Cryptomatte decoded with a hash of its own: for each kind the largest difference between the matte of a
-              name and the pixels whose id has that name, of pixels with one sample; checks that hold of any file
+mattes FILE   Cryptomatte decoded with an independent hash: for each kind, the largest difference between the matte of a
+              name and the pixels with that id (pixels with one sample); checks that apply to any file
 """
 import hashlib
 import json
@@ -77,7 +77,7 @@ def kinds_of(attributes):
 
 
 def names_at(table, ids, geometries, kind):
-    """The name of each pixel's first sample; None for nothing."""
+    """The name of each pixel's first sample; None for the background."""
     names = {}
     for entry in table:
         for i in range(entry["first"], entry["last"] + 1):

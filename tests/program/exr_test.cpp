@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenEXR files as other programs read them: OpenImageIO and NumPy (exr_reference.py), OpenEXR's own exrheader. They
-// share no code with what writes the files.
+// OpenEXR files decoded by other programs: OpenImageIO and NumPy (exr_reference.py), and OpenEXR's own exrheader. These
+// programs share no code with Strobe's writer.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -15,14 +15,14 @@
 namespace strobe::testing {
 namespace exr_test {
 
-// A bar that moves, its edges within pixels.
+// A moving bar whose edges are within pixels.
 const std::string kShot =
     " --scene oracles/bar --size 64x36 --fps 30 --exposure 0.75 --set scene.width=64 --set scene.height=36"
     " --set scene.left=20.4 --set scene.right=41.6";
 
 class Exr : public ::testing::Test {
  protected:
-  // A picture of the shot with these options.
+  // Path of a picture of the shot drawn with these options.
   std::string drawn(const std::string& pipeline, const std::string& options) {
     std::string file = folder_ / "picture.exr";
     Outcome outcome = run("render " + pipeline + kShot + " " + options + " -o " + file);
@@ -32,7 +32,7 @@ class Exr : public ::testing::Test {
   }
   Json record() const { return Json::parse(contentOf(folder_ / "picture.record.json")); }
 
-  // The answer of exr_reference.py, from the first Python that has what it needs.
+  // Result of exr_reference.py, run with the first Python that has the modules.
   static std::optional<Json> reference(const std::string& what, const std::string& file) {
     std::string script = (sourceFolder() / "tests/program/exr_reference.py").string();
     for (const char* python : {"python3", "/usr/bin/python3"}) {
@@ -53,7 +53,7 @@ std::string typeOf(image::ExrKind kind) {
   return kind == image::ExrKind::half ? "half" : "float";
 }
 
-// As `exr_reference.py` hashes it.
+// Hash of a channel as in `exr_reference.py`.
 std::string hashOf(const image::ExrChannel& channel) {
   auto text = [](const auto& values) {
     return std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
@@ -61,7 +61,7 @@ std::string hashOf(const image::ExrChannel& channel) {
   return sha256(channel.kind == image::ExrKind::uint ? text(channel.ids) : text(channel.values));
 }
 
-// Everything OpenImageIO found is what our reader finds.
+// OpenImageIO and Strobe's reader find the same content.
 void expectTheSame(const Json& found, const image::ExrFile& read) {
   ASSERT_EQ(found.size(), read.parts().size());
   for (size_t i = 0; i < found.size(); ++i) {
@@ -79,7 +79,7 @@ void expectTheSame(const Json& found, const image::ExrFile& read) {
   }
 }
 
-TEST_F(Exr, OnePartAsOpenImageIoReadsIt) {
+TEST_F(Exr, OpenImageIoReadsOnePart) {
   std::string file = drawn("mcguire2012", "--tap gbuffer.depth --cryptomatte");
   auto found = reference("parts", file);
   if (!found) GTEST_SKIP() << "no Python with NumPy and OpenImageIO (python3-openimageio)";
@@ -100,8 +100,8 @@ TEST_F(Exr, OnePartAsOpenImageIoReadsIt) {
   EXPECT_EQ(Json::parse(attributes["strobe"].get<std::string>())["shot"]["exposure"], 0.75);
 }
 
-// Every pass: what the record says of each image is what the file holds.
-TEST_F(Exr, PartsAsOpenImageIoReadsThem) {
+// The file has the images with the hashes in the record.
+TEST_F(Exr, OpenImageIoReadsParts) {
   std::string taps = "--tap neighbour_max.dominant --tap tile_max.longest --tap mask_bounds.bounds --tap ray_reveal.id";
   std::string file = drawn("hybrid_layered", "--multipart --cryptomatte " + taps);
   image::ExrFile read = image::readExr(file);
@@ -120,8 +120,8 @@ TEST_F(Exr, PartsAsOpenImageIoReadsThem) {
   for (const Json& part : *found) EXPECT_NEAR(part["attributes"]["ExposureTime"].get<double>(), 0.75 / 30, 1e-7);
 }
 
-// Sixteen bits where they are floats; ids and mattes keep 32.
-TEST_F(Exr, HalfAsOpenImageIoReadsIt) {
+// Float channels have 16 bits; ids and mattes keep 32 bits.
+TEST_F(Exr, OpenImageIoReadsHalfFloats) {
   std::string file = drawn("none", "--half --cryptomatte");
   auto found = reference("parts", file);
   if (!found) GTEST_SKIP() << "no Python with NumPy and OpenImageIO (python3-openimageio)";
@@ -132,7 +132,7 @@ TEST_F(Exr, HalfAsOpenImageIoReadsIt) {
   }
 }
 
-TEST_F(Exr, MattesAsAnIndependentDecoderReadsThem) {
+TEST_F(Exr, IndependentDecoderReadsMattes) {
   for (const char* options : {"", "--multipart", "--aa 5", "--aa 5 --multipart"}) {
     bool several = std::string(options).find("--aa") != std::string::npos;
     auto found = reference("mattes", drawn("none", std::string("--cryptomatte ") + options));
@@ -152,7 +152,7 @@ TEST_F(Exr, MattesAsAnIndependentDecoderReadsThem) {
   }
 }
 
-// The program of the OpenEXR library itself.
+// exrheader is a program of the OpenEXR library.
 TEST_F(Exr, ExrheaderReadsIt) {
   if (runLine("command -v exrheader").exit_code != 0) GTEST_SKIP() << "no exrheader (the package openexr)";
   Outcome outcome = runLine("exrheader '" + drawn("mcguire2012", "--multipart --tap tile_max.longest") + "'");
@@ -164,8 +164,8 @@ TEST_F(Exr, ExrheaderReadsIt) {
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "\n" << outcome.out.substr(0, 4000);
 }
 
-// A layer of another size (bounds of cells of 10 px) is compared by its name.
-TEST_F(Exr, CompareTakesAPart) {
+// A layer of another size (bounds of 10 px cells) is compared by its name.
+TEST_F(Exr, CompareReadsALayer) {
   std::string file = drawn("hybrid_layered", "--multipart --tap mask_bounds.bounds");
   for (const char* layer : {"mask_bounds.bounds", "color"}) {
     Outcome outcome = run(fmt::format("compare --json {} {} --layer {}", file, file, layer));
@@ -177,7 +177,7 @@ TEST_F(Exr, CompareTakesAPart) {
   EXPECT_NE(missing.err.find("has no colour in a layer 'mask_bounds.bound'"), std::string::npos) << missing.err;
 }
 
-TEST_F(Exr, OptionsOfExrFilesNeedOne) {
+TEST_F(Exr, ExrOptionsNeedAnExrFile) {
   for (const char* option : {"--half", "--multipart", "--cryptomatte"}) {
     Outcome outcome = run("render none" + kShot + " " + option + " -o " + (folder_ / "picture.png"));
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;

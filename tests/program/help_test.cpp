@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe help` from outside.
+// The command `strobe help`.
 #include <gtest/gtest.h>
 
 #include "common/home.h"
@@ -24,11 +24,12 @@ TEST(Help, ListsTopicsAndPrintsPages) {
   EXPECT_EQ(param.out.find("mask_taps"), std::string::npos) << "other parameters are left out";
   Outcome bare = run("help limit");
   for (const char* heading : {"# hybrid.limit\n", "# mcguire2012.limit\n"})
-    EXPECT_NE(bare.out.find(heading), std::string::npos) << "a bare parameter: every pipeline that has it";
+    EXPECT_NE(bare.out.find(heading), std::string::npos)
+        << "a parameter without an owner: every pipeline with this parameter";
 }
 
-// No command is no mistake: the commands are what somebody new asks for.
-TEST(Help, TheProgramAloneListsItsCommands) {
+// A call without a command is valid: it lists the commands for new users.
+TEST(Help, NoCommandListsTheCommands) {
   Outcome outcome = run("");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, run("--help").out);
@@ -53,7 +54,7 @@ TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {
   EXPECT_NE(run("help zzzzzzzz").err.find("strobe help lists the topics"), std::string::npos);
 }
 
-// Pages whose pass is gone go; what somebody else wrote stays.
+// Pages of removed passes are deleted; pages written by users stay.
 TEST(Help, WritesEveryPage) {
   TemporaryFolder folder;
   ASSERT_EQ(run("help --write " + (folder / "pages")).exit_code, 0);

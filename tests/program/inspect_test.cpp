@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `render --pixel` and `--tev` from outside.
+// The options `render --pixel` and `--tev`, and commands that inspect a plan.
 #include <gtest/gtest.h>
 
 #include "base/json.h"
@@ -17,7 +17,7 @@ TEST(Inspect, PixelPrintsATable) {
     EXPECT_NE(outcome.out.find(wanted), std::string::npos) << wanted << "\n" << outcome.out;
 }
 
-TEST(Inspect, APictureWithoutANameGoesToOut) {
+TEST(Inspect, UnnamedPictureIsWrittenToOut) {
   TemporaryFolder folder;
   Outcome outcome = run("render none" + kShot, "-C " + folder.path().string() + " STROBE_VALIDATION=0");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -28,21 +28,21 @@ TEST(Inspect, APictureWithoutANameGoesToOut) {
   EXPECT_TRUE(fs::exists(folder.path() / "out/none.exr"));
 }
 
-// An option takes one value: what follows is the pipeline.
-TEST(Inspect, ThePipelineMayFollowAnOption) {
+// An option takes one value: the next word is the pipeline.
+TEST(Inspect, PipelineMayFollowAnOption) {
   for (const char* options : {"--size 32x18", "--frame 2", "--anchor start"}) {
     Outcome outcome = run(std::string("plan ") + options + " none");
     EXPECT_EQ(outcome.exit_code, 0) << options << ": " << outcome.err;
   }
 }
 
-TEST(Inspect, APlanSaysTheSizeOfItsScene) {
+TEST(Inspect, PlanStatesTheSizeOfItsScene) {
   std::string text = run("plan none --scene oracles/bar").out;
   EXPECT_NE(text.find("scene oracles/bar: 4 triangles in 2 instances\n"), std::string::npos) << text;
   EXPECT_EQ(run("plan none --scene oracles/barr").exit_code, 2);
 }
 
-// A missing library, a missing manifest and damaged ones; the other driver still gives devices.
+// A missing library, a missing manifest and damaged manifests; the other driver still provides devices.
 TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
   std::string device = Json::parse(run("doctor --json").out)["devices"][0]["name"];
   std::string manifests = runLine("ls /usr/share/vulkan/icd.d/lvp_icd*.json /etc/vulkan/icd.d/*.json 2>/dev/null").out;
@@ -68,11 +68,12 @@ TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
     Json report = Json::parse(run("doctor --json", environment).out);
     EXPECT_FALSE(report["driver_problems"].empty());
     const bool is_damaged = named.find("JSON") + 1 || named.find("library_path") + 1;
-    EXPECT_EQ(report["devices"].empty(), is_damaged) << "with a damaged one the loader finds no other, or crashes";
+    EXPECT_EQ(report["devices"].empty(), is_damaged)
+        << "with a damaged manifest the loader finds no other driver, or crashes";
   }
 }
 
-// Experiments and captures, with pipelines or alone.
+// Experiments and captures, with and without pipelines.
 TEST(Inspect, CheckReadsFilesByTheirKind) {
   TemporaryFolder folder;
   auto experiment = [](const std::string& camera, const std::string& arm) {
@@ -113,7 +114,7 @@ TEST(Inspect, CountersAreShownOnRequest) {
     EXPECT_EQ(verbose.err.find(name + " " + count.dump()) != std::string::npos, count != 0) << name;
 }
 
-// Looking changes neither the picture nor its record.
+// --pixel changes neither the picture nor its record.
 TEST(Inspect, PixelChangesNoFile) {
   TemporaryFolder folder;
   EXPECT_EQ(run("render hybrid" + kShot + " -o " + (folder / "a.exr")).exit_code, 0);
@@ -127,7 +128,7 @@ TEST(Inspect, PixelChangesNoFile) {
   EXPECT_FALSE(trail["hits"].empty());
 }
 
-// A picture per output and tap, all as large as the frame, and the same bytes each time.
+// A picture per output and tap, each as large as the frame and reproducible.
 TEST(Inspect, ViewsShowEveryImage) {
   TemporaryFolder folder;
   std::string command = "render mcguire2012" + kShot + " --tap neighbour_max.dominant --views ";
@@ -155,8 +156,8 @@ TEST(Inspect, MistakesAreUsageErrors) {
   }
 }
 
-// Nobody listens on port 9 of this machine (discard; long out of use).
-TEST(Inspect, NoViewerIsNoError) {
+// No program listens on port 9 of this machine (the obsolete discard service).
+TEST(Inspect, MissingViewerIsNotAnError) {
   TemporaryFolder folder;
   Outcome outcome = run("render none" + kShot + " --tev localhost:9 -o " + (folder / "a.png"), "STROBE_VALIDATION=0");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `cmake --install`: the installed program reads what was installed with it, and the shell completes its commands.
+// `cmake --install`: the installed program reads its installed files, and the shell completes its commands.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -28,7 +28,7 @@ class Installed : public ::testing::Test {
   static fs::path project() { return folder_->path() / "mine"; }
   static fs::path shipped() { return prefix() / "share/strobe"; }
 
-  // A line of the shell in which `strobe` is the installed program and the environment names no folder of it.
+  // Runs a shell line with the installed program as `strobe` and without environment variables for Strobe's folders.
   static Outcome lineIn(const fs::path& folder, const std::string& line) {
     return runLine("unset STROBE_HOME STROBE_PROGRAM STROBE_DATA; export STROBE_VALIDATION=1 PATH='" +
                    (prefix() / "bin").string() + "':\"$PATH\"; cd '" + folder.string() + "' && " + line);
@@ -46,10 +46,10 @@ TEST_F(Installed, ReadsItsOwnFiles) {
   Json found = Json::parse(strobeIn(project(), "doctor --json").out);
   EXPECT_EQ(found["files"], Json({fs::canonical(project()), fs::canonical(shipped())}));
   for (const auto& entry : fs::recursive_directory_iterator(prefix()))
-    EXPECT_TRUE(fs::exists(entry.path())) << entry.path() << " leads nowhere";
+    EXPECT_TRUE(fs::exists(entry.path())) << entry.path() << " has no target";
   EXPECT_NE(contentOf(project() / ".luarc.json").find(shipped().string()), std::string::npos);
 
-  // What the sources lack is found; what is missing there is missing, though the sources have it.
+  // The program finds a file that only the installation has, and does not find a file that only the sources have.
   fs::rename(shipped() / "scripts/pipelines/ue4.lua", shipped() / "scripts/pipelines/renamed.lua");
   EXPECT_EQ(strobeIn(folder_->path(), "plan renamed").exit_code, 0);
   EXPECT_NE(strobeIn(folder_->path(), "plan ue4").err.find("unknown pipeline 'ue4'"), std::string::npos);
@@ -71,10 +71,10 @@ TEST_F(Installed, RendersAndChecks) {
   EXPECT_EQ(strobeIn(folder_->path(), "help none").exit_code, 0);
   Outcome listed = strobeIn(folder_->path(), "sweep scripts/captures/demo.lua --dry-run");
   EXPECT_EQ(listed.exit_code, 0) << listed.err;
-  EXPECT_EQ(written(), before) << "the program wrote to the folder it is installed in";
+  EXPECT_EQ(written(), before) << "the program wrote to its installation folder";
 }
 
-// Pipelines of experiments are found whatever the current folder is.
+// Pipelines of experiments are found from any current folder.
 TEST_F(Installed, ChecksItsExperimentsFromAnyFolder) {
   std::string files;
   for (const auto& entry : fs::directory_iterator(shipped() / "experiments")) {
@@ -86,8 +86,8 @@ TEST_F(Installed, ChecksItsExperimentsFromAnyFolder) {
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
 }
 
-// A project that lies below the folder experiments/ of another root.
-TEST_F(Installed, ChecksTheProjectsAmongItsExperiments) {
+// Some experiments are projects of their own inside experiments/.
+TEST_F(Installed, ChecksProjectsAmongItsExperiments) {
   size_t projects = 0;
   for (const auto& entry : fs::directory_iterator(shipped() / "experiments")) {
     if (!fs::exists(entry.path() / "strobe.project.lua")) continue;
@@ -98,7 +98,7 @@ TEST_F(Installed, ChecksTheProjectsAmongItsExperiments) {
   EXPECT_GT(projects, 0u);
 }
 
-TEST_F(Installed, ThePackageHasTheSameFiles) {
+TEST_F(Installed, PackageHasTheSameFiles) {
   if (!allCases()) GTEST_SKIP() << "runs with --all";
   if (runLine("command -v cpack dpkg-deb").exit_code != 0) GTEST_SKIP() << "cpack or dpkg-deb is not installed";
   std::string build = fs::path(programPath()).parent_path(), out = folder_->path() / "package";
@@ -115,7 +115,7 @@ TEST_F(Installed, ThePackageHasTheSameFiles) {
   EXPECT_EQ(filesBelow(out + "/files/usr"), filesBelow(prefix()));
 }
 
-// What bash offers for the end of a line, one a line.
+// Completions that bash offers for the end of a line, separated by spaces.
 class Completion : public Installed {
  protected:
   static std::string of(const std::string& line) {
@@ -127,7 +127,7 @@ class Completion : public Installed {
   }
 };
 
-TEST_F(Completion, KnowsCommandsOptionsAndChoices) {
+TEST_F(Completion, CompletesCommandsOptionsAndChoices) {
   EXPECT_EQ(of("strobe re"), "render report ");
   EXPECT_EQ(of("strobe bench "), "reload frames slopes ");
   EXPECT_EQ(of("strobe render --an"), "--anchor --animation ");
@@ -137,7 +137,7 @@ TEST_F(Completion, KnowsCommandsOptionsAndChoices) {
   EXPECT_EQ(of("strobe stability --invariant stil"), "still ");
 }
 
-TEST_F(Completion, KnowsNamesOfTheProjectToo) {
+TEST_F(Completion, CompletesNamesOfTheProject) {
   EXPECT_EQ(of("strobe render sm"), "smear ");
   EXPECT_EQ(of("strobe plan --json non"), "none ");
   EXPECT_EQ(of("strobe check none sm"), "smear ");
@@ -146,9 +146,9 @@ TEST_F(Completion, KnowsNamesOfTheProjectToo) {
   EXPECT_EQ(of("strobe help smea"), "smear smear ") << "the pipeline and the pass";
 }
 
-TEST_F(Completion, KnowsParametersOfThePipeline) {
+TEST_F(Completion, CompletesParametersOfThePipeline) {
   EXPECT_EQ(of("strobe render smear --set t"), "taps= ");
-  EXPECT_EQ(of("strobe render hybrid --set preset=geo"), "geometry_index ") << "behind the = that bash ends a word at";
+  EXPECT_EQ(of("strobe render hybrid --set preset=geo"), "geometry_index ") << "after the = that ends a word in bash";
   EXPECT_EQ(of("strobe render hybrid --set edge=sil"), "silhouette ");
   EXPECT_EQ(of("strobe render nothing --set edge="), " ");
 }

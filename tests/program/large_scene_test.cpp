@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices beyond what a shader may see of a bound buffer (128 MiB on the software device): pictures do not change with
-// those that no triangle names.
+// Vertices beyond the range of a bound buffer (128 MiB on the software device): vertices that no triangle uses do not
+// change pictures.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace large_scene_test {
 
 using Corner = std::array<float, 3>;
 
-// A pyramid whose five corners are the last of `vertices`; the others stand at the origin and take no room in the file.
+// A pyramid that uses the last five of `vertices`; the others are at the origin and are not stored in the file.
 void writePyramid(const fs::path& file, uint32_t vertices, float height) {
   const std::array<Corner, 5> corners = {{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {0, height, 0}}};
   const std::array<Corner, 5> normals = {{{-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0.6f, 0.8f}}};
@@ -48,7 +48,7 @@ void writePyramid(const fs::path& file, uint32_t vertices, float height) {
   writeText(file, gltf.dump());
 }
 
-// The hashes of what a pipeline makes of a scene.
+// Hashes of the outputs of a pipeline for a scene.
 Json outputsOf(const TemporaryFolder& folder, const std::string& scene, const std::string& pipeline) {
   Outcome outcome = run("render " + pipeline + (pipeline == "none" ? "" : " --samples 2") + " --size 64x36 --scene " +
                             (folder / scene) + " -o " + (folder / "a.exr"),
@@ -58,7 +58,7 @@ Json outputsOf(const TemporaryFolder& folder, const std::string& scene, const st
   return Json::parse(contentOf(folder / "a.record.json")).at("outputs");
 }
 
-TEST(LargeScene, IsDrawnAsItsUsedVerticesAlone) {
+TEST(LargeScene, IsDrawnFromItsUsedVertices) {
   constexpr uint32_t kMany = 3100000;
   static_assert(kMany * uint64_t{44} > uint64_t{128} << 20);
   TemporaryFolder folder;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `strobe live` from outside, on a display of its own (Xvfb), driven by files, with Vulkan's validation on. What the
-// window showed stays in live_pictures/ beside the program.
+// The command `strobe live` on a separate display (Xvfb), driven by files, with Vulkan's validation on. Screenshots are
+// kept in live_pictures/ beside the program.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,14 +20,14 @@
 namespace strobe::testing {
 namespace live_test {
 
-// The same with the card in green.
+// The same scene with a green card.
 std::string greenScene() {
   std::string text = kCardScene;
   text.replace(text.find("0.8, 0.1, 0.1"), 13, "0.1, 0.8, 0.1");
   return text;
 }
 
-constexpr int kWidth = 1100, kHeight = 700;  // of the window, which fills its display
+constexpr int kWidth = 1100, kHeight = 700;  // window size; the window fills its display
 
 class Live : public ::testing::Test {
  protected:
@@ -45,7 +45,7 @@ class Live : public ::testing::Test {
                        kWidth, kHeight, folder_ / "out", folder_ / "a.drive");
   }
 
-  // A shell's line on a display of its own.
+  // Runs a shell line on a separate display.
   Outcome onDisplay(const std::string& line) {
     writeText(folder_ / "line.sh", line);
     return runLine(fmt::format("STROBE_VALIDATION=1 timeout 120 xvfb-run -a -s '-screen 0 {}x{}x24 -noreset' sh {}",
@@ -62,7 +62,7 @@ class Live : public ::testing::Test {
   fs::path pictures_ = fs::path(programPath()).parent_path() / "live_pictures";
 };
 
-// Pixels in the middle of the window, between the panels, that satisfy a test of their colour.
+// Pixels in the middle of the window, between the panels, whose colour passes a test.
 template <class Test>
 size_t countPixels(const image::Image& window, Test test) {
   size_t count = 0;
@@ -80,8 +80,8 @@ size_t greenPixels(const image::Image& window) {
   return countPixels(window, [](float r, float g, float b) { return g > 0.7f && r < 0.6f && b < 0.6f; });
 }
 
-// The window's own screenshot against what the display holds at that time, by a program that knows neither.
-TEST_F(Live, AScreenshotIsWhatIsSeen) {
+// The window's screenshot compared with a screenshot of the display taken by ImageMagick.
+TEST_F(Live, ScreenshotMatchesTheDisplay) {
   if (runLine("command -v import").exit_code != 0) GTEST_SKIP() << "no ImageMagick to look at the display";
   std::string shot = picture("start.png"), seen = folder_ / "seen.png";
   fs::remove(shot);
@@ -99,11 +99,11 @@ TEST_F(Live, AScreenshotIsWhatIsSeen) {
     for (int x = 0; x < kWidth; ++x)
       for (int c = 0; c < 3; ++c) differ += window.at(x, y, c) != display.at(x, y, c);
   EXPECT_EQ(differ, 0u);
-  EXPECT_GT(redPixels(window), 500u) << "the card is nowhere to be seen";
+  EXPECT_GT(redPixels(window), 500u) << "the card is not visible";
 }
 
-// A saved picture is what `render` makes of the command that the window shows, whatever was looked at before.
-TEST_F(Live, ACaptureIsWhatRenderMakes) {
+// A saved picture equals the result of `render` with the window's command, independent of earlier views.
+TEST_F(Live, CaptureEqualsRender) {
   std::string capture = folder_ / "capture.exr", again = folder_ / "again.exr";
   Outcome outcome = drive(
       "set exposure 0.75\nset edge prewitt\nview gbuffer.velocity\nwait 2\nkind arrows\nwait 2\n"
@@ -121,7 +121,7 @@ TEST_F(Live, ACaptureIsWhatRenderMakes) {
   EXPECT_GT(trail["passes"].size(), 5u);
 }
 
-TEST_F(Live, EditsAreTakenInAndMistakesShownOverTheLastGoodFrame) {
+TEST_F(Live, EditsApplyAndMistakesDimTheLastGoodFrame) {
   writeText(folder_ / "green.lua", greenScene());
   writeText(folder_ / "broken.lua", std::string(kCardScene) + "\nthis is no Lua\n");
   std::string scene = folder_ / "scene.lua", green = folder_ / "green.lua", broken = folder_ / "broken.lua";
@@ -139,8 +139,8 @@ TEST_F(Live, EditsAreTakenInAndMistakesShownOverTheLastGoodFrame) {
   EXPECT_EQ(greenPixels(mended), greenPixels(edited));
 }
 
-// The trail of a pixel is followed on the newest files, which may be broken.
-TEST_F(Live, ABrokenScriptUnderAPinnedPixelDoesNotCloseTheWindow) {
+// The trail of a pixel is computed with the newest files, which may be broken.
+TEST_F(Live, BrokenScriptWithAPinnedPixelKeepsTheWindow) {
   std::string own = folder_ / "own.lua", good = folder_ / "good.lua", broken = folder_ / "broken.lua";
   std::string text = readText(strobe::home().shipped() / "scripts/pipelines/mcguire2012.lua");
   writeText(own, text);
@@ -153,8 +153,8 @@ TEST_F(Live, ABrokenScriptUnderAPinnedPixelDoesNotCloseTheWindow) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-// Edits of what ships and of the project's own files; a mistake has the project's path.
-TEST_F(Live, WatchesAProjectAndWhatShips) {
+// Edits of shipped files and of the project's files; a mistake has the project's path.
+TEST_F(Live, WatchesProjectAndShippedFiles) {
   fs::path project = folder_.path() / "mine", home = folder_.path() / "home";
   fs::create_directories(home);
   for (const char* part : {"passes", "scripts", "shaders", "project"})
@@ -178,7 +178,7 @@ TEST_F(Live, WatchesAProjectAndWhatShips) {
   EXPECT_NE(outcome.err.find("\n  shaders/smear.glsl:"), std::string::npos) << outcome.err;
 }
 
-TEST_F(Live, TwoPipelinesAreComparedUnderOneClock) {
+TEST_F(Live, TwoPipelinesAreComparedAtOneTime) {
   std::string names[] = {"wipe", "difference", "error"};
   std::string commands = "frame 2\n";
   for (const std::string& name : names)
@@ -197,8 +197,9 @@ TEST_F(Live, TwoPipelinesAreComparedUnderOneClock) {
   EXPECT_GT(redPixels(alone), 500u);
 }
 
-// By keys and mouse: the control that is found is swept, a click on a column takes its value; what is saved runs.
-TEST_F(Live, ASweepIsDrawnTakenAndSaved) {
+// Sweeps by keys and mouse: sweeps the control found by a search, clicks on a column to take its value, and runs the
+// saved sweep.
+TEST_F(Live, SweepIsDrawnTakenAndSaved) {
   std::string file = folder_ / "sweep.lua", study = folder_ / "study";
   Outcome outcome = drive(
       "search samples\nkey R\nwait 2\nkey Escape\nsearch\nsweep samples=4,8,16\nswept\nscreenshot " +
@@ -209,7 +210,7 @@ TEST_F(Live, ASweepIsDrawnTakenAndSaved) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* name : {"sweep.png", "sweep_grid.png"}) {
     image::Image window = image::readPng(picture(name));
-    size_t red = 0;  // of the cards in the thumbnails
+    size_t red = 0;  // red pixels of cards in thumbnails
     for (int y = window.height / 2; y < window.height - 90; ++y)
       for (int x = 350; x < window.width - 350; ++x)
         red += window.at(x, y, 0) > 0.7f && window.at(x, y, 1) < 0.5f && window.at(x, y, 2) < 0.45f;
@@ -228,7 +229,7 @@ TEST_F(Live, ASweepIsDrawnTakenAndSaved) {
 
 // ---- recordings
 
-// Colours of the pictures in a capture's manifest, by hash; and of those saved by the window.
+// Colour hash and name of each picture in a capture's manifest.
 std::map<std::string, std::string> coloursOf(const fs::path& capture) {
   std::map<std::string, std::string> names;
   Json manifest = Json::parse(contentOf(capture / "manifest.json"));
@@ -244,9 +245,9 @@ std::vector<std::string> savedColours(const fs::path& folder) {
   return hashes;
 }
 
-// Values, another pipeline, a camera, frames played, an edited shader: each picture that was saved comes again from the
-// script, also after further edits.
-TEST_F(Live, WhatIsRecordedGivesTheSavedPicturesAgain) {
+// Values, another pipeline, a camera, played frames, an edited shader: the script draws each saved picture again, also
+// after further edits.
+TEST_F(Live, RecordingDrawsTheSavedPicturesAgain) {
   const std::string home = folder_ / "home", shade = home + "/shaders/gbuffer/shade.glsl";
   fs::create_directories(home);
   for (const char* part : {"passes", "scripts", "shaders"})
@@ -272,7 +273,7 @@ TEST_F(Live, WhatIsRecordedGivesTheSavedPicturesAgain) {
   auto drawn = coloursOf(capture);
   std::vector<std::string> saved = savedColours(folder_ / "out");
   EXPECT_EQ(saved.size(), 4u);
-  EXPECT_EQ(std::set<std::string>(saved.begin(), saved.end()).size(), 4u) << "all look different";
+  EXPECT_EQ(std::set<std::string>(saved.begin(), saved.end()).size(), 4u) << "all pictures differ";
   for (const std::string& hash : saved) EXPECT_TRUE(drawn.count(hash)) << hash << "\n" << contentOf(script);
   EXPECT_TRUE(fs::exists(capture + "/recorded.png"));
   Outcome verified = run("verify " + capture, "STROBE_VALIDATION=0 STROBE_HOME=" + home);
@@ -281,7 +282,7 @@ TEST_F(Live, WhatIsRecordedGivesTheSavedPicturesAgain) {
     EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
 }
 
-TEST_F(Live, ABudgetChoosesTheQuality) {
+TEST_F(Live, BudgetChoosesTheQuality) {
   const std::string shot = picture("budget.png");
   Outcome outcome = drive("wait 60\nexpect quality 1\nscreenshot " + shot +
                               "\nset quality 0.5\nwait 20\nexpect quality 0.5\nproblems no\nquit\n",
@@ -289,7 +290,7 @@ TEST_F(Live, ABudgetChoosesTheQuality) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-TEST_F(Live, ClosingTheWindowKeepsWhatWasRecorded) {
+TEST_F(Live, ClosingTheWindowKeepsTheRecording) {
   Outcome outcome = drive("wait 2\nrecord\nset samples 8\nwait 2\nquit\n");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   std::string script = folder_ / "out/hybrid_scene_f1_001.recording.lua";
@@ -297,8 +298,8 @@ TEST_F(Live, ClosingTheWindowKeepsWhatWasRecorded) {
   EXPECT_NE(contentOf(script).find("set = { samples = 8 }"), std::string::npos) << contentOf(script);
 }
 
-// By the events of a keyboard and a mouse: F6, a drag over the picture, F2, a frame ahead, F2, the wheel, F2, F6.
-TEST_F(Live, WhatHandsDoIsRecorded) {
+// Events of a keyboard and a mouse: F6, a drag over the picture, F2, next frame, F2, the wheel, F2, F6.
+TEST_F(Live, KeyboardAndMouseAreRecorded) {
   if (runLine("command -v xdotool").exit_code != 0) GTEST_SKIP() << "no xdotool to press keys";
   const std::string out = folder_ / "out", editor = folder_ / "editor.sh", opened = folder_ / "opened.lua";
   writeText(editor, "#!/bin/sh\ncp \"$1\" " + opened + "\n");
@@ -314,7 +315,7 @@ TEST_F(Live, WhatHandsDoIsRecorded) {
       "for i in $(seq 50); do test -s {} && break; sleep 0.1; done\nxdotool key F10\nwait $pid\n",
       editor, programPath(), shotOptions(), kWidth, kHeight, out, out, opened));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  ASSERT_TRUE(fs::exists(opened)) << "the script was opened in an editor";
+  ASSERT_TRUE(fs::exists(opened)) << "the editor did not get the script";
   Outcome taken = run("capture " + opened + " -o " + (folder_ / "capture"), "STROBE_VALIDATION=0");
   ASSERT_EQ(taken.exit_code, 0) << taken.err;
   auto drawn = coloursOf(folder_ / "capture");
@@ -323,8 +324,8 @@ TEST_F(Live, WhatHandsDoIsRecorded) {
   for (const std::string& hash : saved) EXPECT_TRUE(drawn.count(hash)) << hash << "\n" << contentOf(opened);
 }
 
-// Keys at the pace of a typist while truth gathers in steps that take longer than a key: all are letters of the box,
-// none flies the camera. What is swept is the control that the text finds.
+// Keys arrive at typing speed while a step of truth takes longer than a key: all keys go to the text box and no key
+// moves the camera. The sweep is of the control found by the text.
 TEST_F(Live, KeysOfATextBoxArriveWhileTruthGathers) {
   if (!allCases()) GTEST_SKIP() << "runs with --all";
   if (runLine("command -v xdotool").exit_code != 0) GTEST_SKIP() << "no xdotool to press keys";
@@ -341,10 +342,10 @@ TEST_F(Live, KeysOfATextBoxArriveWhileTruthGathers) {
   std::vector<std::string> saved;
   for (const auto& entry : fs::directory_iterator(out)) saved.push_back(entry.path().filename());
   ASSERT_EQ(saved, std::vector<std::string>{"none_scene_f1_001.anchor.lua"});
-  EXPECT_EQ(contentOf(fs::path(out) / saved[0]).find("view"), std::string::npos) << "the camera stayed";
+  EXPECT_EQ(contentOf(fs::path(out) / saved[0]).find("view"), std::string::npos) << "the camera did not move";
 }
 
-TEST_F(Live, AFailedCommandEndsWithItsLine) {
+TEST_F(Live, FailedCommandEndsWithItsLine) {
   Outcome outcome = drive("wait 1\nexpect exposure 0.123\nquit\n");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("a.drive:2: exposure is 0.5, expected 0.123"), std::string::npos) << outcome.err;
@@ -356,8 +357,8 @@ TEST_F(Live, AFailedCommandEndsWithItsLine) {
   EXPECT_NE(outcome.err.find("did you mean 'sobel'?"), std::string::npos) << outcome.err;
 }
 
-// A pass that never ends: named, with the shot kept so that it can be opened again.
-TEST_F(Live, AnEndlessShaderIsNamedAndTheShotIsKept) {
+// A pass that never ends is named, and the shot is saved so that it can be opened again.
+TEST_F(Live, EndlessShaderIsNamedAndTheShotIsKept) {
   fs::path home = folder_.path() / "home";
   fs::create_directories(home);
   for (const char* part : {"passes", "scripts", "shaders"})
@@ -378,7 +379,7 @@ TEST_F(Live, AnEndlessShaderIsNamedAndTheShotIsKept) {
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
-TEST(LiveWithoutDisplay, SaysWhatItNeeds) {
+TEST(LiveWithoutDisplay, NamesTheMissingDisplay) {
   Outcome outcome = run("live hybrid", "DISPLAY= WAYLAND_DISPLAY=");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("no window can be opened here"), std::string::npos) << outcome.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe render --export-mitsuba`, and ground truth against another renderer: Cycles draws the exported shot.
+// `strobe render --export-mitsuba`, and ground truth compared with Cycles, which draws the exported shot.
 #include <gtest/gtest.h>
 
 #include "common/source.h"
@@ -13,7 +13,7 @@ namespace mitsuba_test {
 const std::string kBar =
     " --scene oracles/bar --size 64x32 --set scene.width=64 --set scene.left=20.4 --set scene.right=41.6 ";
 
-TEST(Mitsuba, IsWrittenWithoutAPictureAndWithoutADevice) {
+TEST(Mitsuba, IsWrittenWithoutPictureOrDevice) {
   TemporaryFolder folder;
   const std::string into = folder / "bar";
   Outcome outcome = run("render ground_truth" + kBar + "--device none --export-mitsuba " + into);
@@ -23,7 +23,7 @@ TEST(Mitsuba, IsWrittenWithoutAPictureAndWithoutADevice) {
   EXPECT_EQ(size_t(std::distance(fs::directory_iterator(into), {})), 3);
 }
 
-TEST(Mitsuba, WarnsOfWhatIsLeftOut) {
+TEST(Mitsuba, WarnsOfOmittedFeatures) {
   TemporaryFolder folder;
   Outcome outcome = run("render none" + kBar + "--shutter-curve triangle --export-mitsuba " + folder.path().string());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One bad pixel, one bad point: what a mistake in a pass of one arm does to the picture, the sweep and its report.
+// One bad pixel, one bad point: effect of a mistake in a pass of one arm on the picture, the sweep and its report.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ return experiment {
 }
 )lua";
 
-// What `strobe new` writes, with an experiment.
+// A project made by `strobe new`, with an experiment.
 class OneBadPoint : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -38,11 +38,11 @@ class OneBadPoint : public ::testing::Test {
   void replaceIn(const std::string& file, const std::string& from, const std::string& to) const {
     std::string text = contentOf(folder_ / ("p/" + file));
     size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << file << " does not say: " << from;
+    ASSERT_NE(at, std::string::npos) << file << " does not contain: " << from;
     writeText(folder_ / ("p/" + file), text.replace(at, from.size(), to));
   }
 
-  // The colour `bad` at some pixels.
+  // Sets the colour of some pixels to `bad`.
   void spoil(const std::string& where, const std::string& bad) const {
     replaceIn("shaders/smear.glsl", "vec4(mean, 1)",
               "vec4(" + where + " ? vec3(uintBitsToFloat(" + bad + "u)) : mean, 1)");
@@ -58,7 +58,7 @@ class OneBadPoint : public ::testing::Test {
 
 const std::string kNan = "0x7fc00000", kInfinity = "0x7f800000";
 
-TEST_F(OneBadPoint, ThatIsNotFiniteIsWarnedAbout) {
+TEST_F(OneBadPoint, NotFiniteIsWarnedAbout) {
   spoil("pixel == ivec2(3) || pixel == ivec2(5, 9)", kNan);
   Outcome outcome = inside("render smear --scene oracles/bar --size 64x36 -o a.exr");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -67,8 +67,8 @@ TEST_F(OneBadPoint, ThatIsNotFiniteIsWarnedAbout) {
   EXPECT_NE(Json::parse(file("a.record.json"))["warnings"].dump().find("the first at 3,3"), std::string::npos);
 }
 
-// A pixel that is not finite leaves the values of its arm empty, with the reason, and nothing else.
-TEST_F(OneBadPoint, IsFlaggedAndAllElseIsLaidOut) {
+// A pixel that is not finite leaves the values of its arm empty and states the reason; all other values are complete.
+TEST_F(OneBadPoint, IsFlaggedAndOtherPointsAreComplete) {
   for (const std::string& bad : {kNan, kInfinity}) {
     const fs::path shader = folder_ / "p/shaders/smear.glsl";
     const std::string sound = contentOf(shader);
@@ -98,7 +98,7 @@ TEST_F(OneBadPoint, IsFlaggedInATable) {
   EXPECT_TRUE(std::regex_search(outcome.out, std::regex("smear +1 px not finite"))) << outcome.out;
 }
 
-// The picture of a pipeline is as large as the frame.
+// The picture of a pipeline must be as large as the frame.
 TEST_F(OneBadPoint, OfAnotherSizeIsRefused) {
   replaceIn("passes/smear.lua", "{ of = \"color\" }", "{ 32, 32 }");
   const std::string said =
@@ -109,7 +109,7 @@ TEST_F(OneBadPoint, OfAnotherSizeIsRefused) {
     EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
-  // Where it stands in a sweep, the other points are drawn.
+  // In a sweep, the other points are drawn.
   Outcome outcome = inside("sweep experiments/x.lua -o out");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;

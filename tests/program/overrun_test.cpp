@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A shader that never ends, where no window waits for it.
+// A shader that never ends, in a command without a window.
 #include <gtest/gtest.h>
 
 #include "common/home.h"
@@ -40,7 +40,7 @@ class Overrun : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Overrun, OfASweepNamesThePointAndWhatIsKept) {
+TEST_F(Overrun, OfASweepNamesThePointAndTheKeptPoints) {
   writeText(folder_ / "x.lua", kExperiment);
   Outcome outcome = limited("sweep " + (folder_ / "x.lua") + " -o " + (folder_ / "out"));
   EXPECT_EQ(outcome.exit_code, 1);

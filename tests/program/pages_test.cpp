@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// docs/how-a-pass-travels.md and docs/describing-a-scene.md, followed: their files written, their commands given, their
-// errors made.
+// docs/how-a-pass-travels.md and docs/describing-a-scene.md, followed: writes their files, runs their commands, makes
+// their mistakes.
 #include "common/pages.h"
 
 #include <gtest/gtest.h>
@@ -21,9 +21,9 @@
 namespace strobe::testing {
 namespace pages_test {
 
-// --- How a pass travels
+// --- Page "How a pass travels"
 
-// A copy of what ships, with the files of the page.
+// A copy of the shipped files with the files of the page.
 class Travels : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -37,7 +37,7 @@ class Travels : public ::testing::Test {
   TemporaryFolder home_;
 };
 
-TEST_F(Travels, ItsCommandsAreAccepted) {
+TEST_F(Travels, CommandsAreAccepted) {
   ASSERT_EQ(page_.files.size(), 3u);
   ASSERT_EQ(page_.commands.size(), 3u);
   for (std::string command : page_.commands) {
@@ -47,7 +47,7 @@ TEST_F(Travels, ItsCommandsAreAccepted) {
   }
 }
 
-TEST_F(Travels, MistakesSayWhatThePageSays) {
+TEST_F(Travels, MistakesHaveTheErrorsOfThePage) {
   ASSERT_GE(page_.mistakes.size(), 10u);
   for (const Page::Mistake& mistake : page_.mistakes) {
     bool in_file = !mistake.file.empty();
@@ -63,7 +63,7 @@ TEST_F(Travels, MistakesSayWhatThePageSays) {
 
 // --- Commands
 
-// Words of a help text that begin like `start`: commands, or options.
+// First groups of `pattern` in a help text: commands or options.
 std::vector<std::string> wordsOf(const std::string& help, const std::string& pattern) {
   std::vector<std::string> words;
   std::regex word(pattern);
@@ -71,7 +71,7 @@ std::vector<std::string> wordsOf(const std::string& help, const std::string& pat
   return words;
 }
 
-TEST(Commands, ThePageHasEveryCommandAndEveryOptionOfAShot) {
+TEST(Commands, PageHasEveryCommandAndEveryOptionOfAShot) {
   std::string page = contentOf(sourceFolder() / "docs/commands.md");
   std::vector<std::string> commands = wordsOf(run("--help").out, R"(\n  ([a-z]+)  )");
   EXPECT_GE(commands.size(), 8u);
@@ -86,8 +86,8 @@ TEST(Commands, ThePageHasEveryCommandAndEveryOptionOfAShot) {
 
 // --- Names in commands
 
-// Commands of all pages that draw a shipped pipeline, as a `plan` of this pipeline with the options --set and --tap of
-// the command. A page that adds files of its own is left out.
+// Commands of all pages that draw a shipped pipeline, as `plan` commands with their options --set and --tap. Pages that
+// add files are left out.
 std::set<std::string> plansOfPages() {
   std::set<std::string> plans;
   const std::regex command(R"(strobe (?:render|plan|live) ([a-z0-9_]+)([^`\n]*))");
@@ -107,7 +107,7 @@ std::set<std::string> plansOfPages() {
   return plans;
 }
 
-TEST(Commands, NodesImagesAndParametersInThePagesExist) {
+TEST(Commands, NodesImagesAndParametersOfPagesExist) {
   const std::set<std::string> plans = plansOfPages();
   EXPECT_GE(plans.size(), 15u);
   for (const std::string& plan : plans) {
@@ -116,7 +116,7 @@ TEST(Commands, NodesImagesAndParametersInThePagesExist) {
   }
 }
 
-// --- Describing a scene
+// --- Page "Describing a scene"
 
 class Scenes : public ::testing::Test {
  protected:
@@ -128,7 +128,7 @@ class Scenes : public ::testing::Test {
     std::string path = folder_ / file;
     return scene::sceneFromJson(script::evaluateScene(home(), path, sets), path, lab::suggestions());
   }
-  // What loading reports, with paths as a reader in that folder sees them.
+  // Error of loading a file, with paths relative to the page's folder.
   std::string failure(const std::string& file) const {
     try {
       load(file);
@@ -137,7 +137,7 @@ class Scenes : public ::testing::Test {
     }
     return "";
   }
-  // The names in "...; it has a, b, c" of a table of which all is left out but one unknown key.
+  // Names in "...; it has a, b, c": the fields of a table, reported for an unknown key.
   std::vector<std::string> fieldsOf(const std::string& table) {
     writeFileAtomically(folder_ / "scenes/fields.lua",
                         "local scene = require \"strobe.scene\"\nreturn " + table + "\n");
@@ -157,7 +157,7 @@ class Scenes : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Scenes, ItsExamplesLoad) {
+TEST_F(Scenes, ExamplesLoad) {
   ASSERT_EQ(page_.files.size(), 5u);
   for (const auto& [file, text] : page_.files) {
     if (!file.ends_with(".lua")) continue;
@@ -171,7 +171,7 @@ TEST_F(Scenes, ItsExamplesLoad) {
   EXPECT_EQ(scene::instancesOf(load("scenes/carousel.lua", {{"scene.count", int64_t(8)}})).size(), before + 3);
 }
 
-TEST_F(Scenes, ItsCommandsDraw) {
+TEST_F(Scenes, CommandsDraw) {
   for (const char* name : {"ball", "parade"}) {
     auto found = std::find_if(page_.commands.begin(), page_.commands.end(), [&](const std::string& command) {
       return command.find(fmt::format("out/{}.png", name)) != std::string::npos;
@@ -184,8 +184,8 @@ TEST_F(Scenes, ItsCommandsDraw) {
   }
 }
 
-// The flag of the page goes up by half a metre within a second, half as large; what is below a node is named after it.
-TEST_F(Scenes, ItsGltfFileStandsAtEachNode) {
+// The page's flag rises by half a metre in a second, at half its size; nodes below a node are named after it.
+TEST_F(Scenes, GltfFileIsAtEachNode) {
   scene::Scene scene = load("scenes/parade.lua");
   scene::Poser poser(scene, -1);
   auto place = [&](const char* name) {
@@ -196,7 +196,7 @@ TEST_F(Scenes, ItsGltfFileStandsAtEachNode) {
   EXPECT_EQ(scene.animations.at(1).name, "last/wave");
 }
 
-TEST_F(Scenes, MistakesSayWhatThePageSays) {
+TEST_F(Scenes, MistakesHaveTheErrorsOfThePage) {
   ASSERT_EQ(page_.mistakes.size(), 3u);
   for (const Page::Mistake& mistake : page_.mistakes) {
     writeFileAtomically(folder_ / mistake.file, withLine(page_.files.at(mistake.file), mistake.number, mistake.line));
@@ -205,14 +205,14 @@ TEST_F(Scenes, MistakesSayWhatThePageSays) {
   }
 }
 
-// The line of the page's tables that begins with "| `name` |".
+// The row of the page's tables that begins with "| `name` |".
 std::string rowOf(const std::string& page, const std::string& name) {
   size_t at = page.find("\n| `" + name + "` |");
   return at == std::string::npos ? "" : page.substr(at, page.find('\n', at + 1) - at);
 }
 
-// A field that a reader knows and the page does not is found here.
-TEST_F(Scenes, ThePageHasEveryField) {
+// Every field accepted by the reader is on the page.
+TEST_F(Scenes, PageHasEveryField) {
   const std::string q = "qqqqqqqq = 1";
   auto node = [](const std::string& inside) { return "scene { nodes = { scene.node { " + inside + " } } }"; };
   auto material = [&](const std::string& inside) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A project outside of the clone, made and used as a researcher does: own detector, pipeline, scene, reload.
+// A project outside the clone, created and used as by a researcher: new detector, pipeline, scene, reload.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -15,7 +15,7 @@ namespace project_test {
 
 class Project : public ::testing::Test {
  protected:
-  // Nothing that a project does changes what ships.
+  // No command of a project changes shipped files.
   static void SetUpTestSuite() { shipped_ = timesOfShipped(); }
   static void TearDownTestSuite() { EXPECT_EQ(timesOfShipped(), shipped_); }
   static std::map<fs::path, fs::file_time_type> timesOfShipped() {
@@ -39,7 +39,7 @@ class Project : public ::testing::Test {
     writeText(path(file), text);
   }
 
-  // A command given in a folder of the project.
+  // Runs a command in a folder of the project.
   Outcome inside(const std::string& arguments, const std::string& below = "") const {
     TemporaryFolder out;
     std::string command = "cd '" + path(below).string() + "' && env STROBE_VALIDATION=1 '" + programPath() + "' " +
@@ -55,7 +55,7 @@ class Project : public ::testing::Test {
     EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
   }
 
-  // Copy of a shipped pass in the project, as `mine`; its file names it.
+  // Copies a shipped pass to the project as `mine`; its file names it.
   void addMember(const std::string& family, const std::string& shipped) const {
     write("passes/" + family + "/mine.lua", contentOf(sourceFolder() / "passes" / family / (shipped + ".lua")));
     write("shaders/" + family + "/mine.glsl", contentOf(sourceFolder() / "shaders" / family / (shipped + ".glsl")));
@@ -69,7 +69,7 @@ class Project : public ::testing::Test {
 const std::string kSmall = " --scene oracles/bar --size 32x18 -o out/a.exr";
 
 TEST_F(Project, Runs) {
-  Outcome drawn = inside("render smear" + kSmall, "pipelines");  // below the project's folder
+  Outcome drawn = inside("render smear" + kSmall, "pipelines");  // run in a folder of the project
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   EXPECT_EQ(inside("check smear").exit_code, 0);
   EXPECT_NE(inside("help").out.find("smear"), std::string::npos);
@@ -79,11 +79,11 @@ TEST_F(Project, Runs) {
                            "strobe:passes/gbuffer/gbuffer.lua", "strobe:shaders/lib/hit.glsl"})
     EXPECT_NE(record.find("\"" + std::string(file) + "\""), std::string::npos) << file;
   EXPECT_EQ(inside("render none" + kSmall).exit_code, 0);
-  EXPECT_NE(run("plan smear").err.find("unknown pipeline 'smear'"), std::string::npos);  // outside of it
+  EXPECT_NE(run("plan smear").err.find("unknown pipeline 'smear'"), std::string::npos);  // run outside the project
 }
 
-// A gather of one's own is a choice of those that ship, and of a pipeline of one's own.
-TEST_F(Project, HasPipelinesOfItsOwn) {
+// A project's gather is a choice in shipped pipelines and in the project's pipelines.
+TEST_F(Project, HasItsOwnPipelines) {
   addMember("gather", "uniform");
   std::string pipeline = contentOf(sourceFolder() / "scripts/pipelines/mcguire2012.lua");
   write("pipelines/mine.lua", std::regex_replace(pipeline, std::regex("\"uniform\" \\}"), "\"mine\" }"));
@@ -93,7 +93,7 @@ TEST_F(Project, HasPipelinesOfItsOwn) {
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
 }
 
-TEST_F(Project, HasExperimentsOfItsOwn) {
+TEST_F(Project, HasItsOwnExperiments) {
   addScene();
   write("experiments/taps.lua", R"lua(
 local experiment = require "strobe.experiment"
@@ -115,7 +115,7 @@ return experiment {
 }
 
 // The smallest suite: one case of one invariant.
-TEST_F(Project, IsTriedByTheStabilitySuite) {
+TEST_F(Project, IsTestedByTheStabilitySuite) {
   Outcome tried = inside("stability smear --cases 1 --invariant still --variant defaults --json");
   EXPECT_NE(tried.out.find("\"smear\""), std::string::npos) << tried.err;
   EXPECT_EQ(tried.exit_code, 0) << tried.out;
@@ -131,7 +131,7 @@ TEST_F(Project, IsTriedByTheStabilitySuite) {
   EXPECT_NE(tried.out.find(": smear.color, rgba16f; "), std::string::npos) << tried.out;
 }
 
-TEST_F(Project, AShippedNameIsRefusedUnlessItReplaces) {
+TEST_F(Project, ShippedNameIsRefusedUnlessItReplaces) {
   std::string text = contentOf(sourceFolder() / "scripts/pipelines/none.lua");
   write("pipelines/none.lua", text);
   expectRefused("plan none", "pipelines/none.lua: has the name of a shipped file, strobe:scripts/pipelines/none.lua");
@@ -145,8 +145,8 @@ TEST_F(Project, AShippedNameIsRefusedUnlessItReplaces) {
                   "passes/unused.lua:2: 'replaces = true', but strobe:passes/unused.lua is not a shipped file");
 }
 
-// Whether what the command does would reach the file or not.
-TEST_F(Project, AShippedNameIsRefusedWhereverItLies) {
+// The file is refused even if the command does not read it.
+TEST_F(Project, ShippedNameIsRefusedForEveryCommand) {
   for (const std::string& command :
        {std::string("plan smear"), "render smear" + kSmall, std::string("stability smear --invariant still")}) {
     write("passes/edge/sobel.lua", "return {}\n");
@@ -160,8 +160,8 @@ TEST_F(Project, AShippedNameIsRefusedWhereverItLies) {
   EXPECT_EQ(inside("plan smear").exit_code, 0);
 }
 
-// What is not there is looked for in both roots, which the message names.
-TEST_F(Project, NamesTheFoldersThatWereSearched) {
+// A missing file is searched in both roots, and the message names both.
+TEST_F(Project, NamesTheSearchedFolders) {
   const std::string own = fs::canonical(path("")).string(), shipped = sourceFolder().string();
   fs::rename(path("shaders/smear.glsl"), path("shaders/smaer.glsl"));
   expectRefused("check smear",
@@ -197,8 +197,8 @@ TEST_F(Project, NamesTheFoldersThatWereSearched) {
             std::string::npos);
 }
 
-// A triangle as glTF beside the capture, with its numbers in another file; a shader of the project edited for one arm.
-TEST_F(Project, HasCapturesOfItsOwn) {
+// A glTF triangle beside the capture, with its buffer in another file; a project shader edited for one arm.
+TEST_F(Project, HasItsOwnCaptures) {
   write("captures/models/one.gltf", R"json({ "asset": { "version": "2.0" },
     "scenes": [{ "nodes": [0] }], "nodes": [{ "name": "one", "mesh": 0 }],
     "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 } }] }],
@@ -238,8 +238,8 @@ return capture {
   EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
 }
 
-// Both roots, own experiments among them; mistakes with the file they are in.
-TEST_F(Project, IsCheckedWithWhatShips) {
+// `check` tests both roots with their experiments, and names the file of each mistake.
+TEST_F(Project, IsCheckedWithShippedFiles) {
   Outcome sound = inside("check");
   EXPECT_EQ(sound.exit_code, 0) << sound.err;
   EXPECT_NE(sound.out.find(path("").parent_path().string() + ": 0 experiments, 0 captures, 1 pipeline is sound\n"),
@@ -271,7 +271,7 @@ TEST_F(Project, IsMarkedInHelp) {
             std::string::npos);
 }
 
-TEST_F(Project, ReachesItsRootsAndNothingElse) {
+TEST_F(Project, ReadsOnlyItsRoots) {
   writeText(folder_.path() / "secret.lua", "return {}");
   writeText(folder_.path() / "secret.glsl", "#define SECRET 1\n");
   fs::create_symlink(folder_.path() / "secret.lua", path("passes/secret.lua"));
@@ -295,7 +295,7 @@ TEST_F(Project, ReachesItsRootsAndNothingElse) {
   expectRefused("check smear", "shaders/inner.glsl: is a link that leads out of");
 }
 
-TEST(NewProject, RefusesWhatItCannotMake) {
+TEST(NewProject, RefusesUnusableFolders) {
   TemporaryFolder folder;
   writeText(folder / "file", "x");
   for (const std::string& name : {folder.path().string(), folder / "file", folder / "a name", folder / "-x"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Python package and its notebook (docs/python.md), under a Python that has their modules.
+// The Python package and its notebook (docs/python.md), run with a Python that has their modules.
 #include <gtest/gtest.h>
 
 #include "common/source.h"
@@ -8,7 +8,7 @@
 namespace strobe::testing {
 namespace python_test {
 
-// The first Python with these modules, or "".
+// The first Python with these modules; "" if none has them.
 std::string pythonWith(const std::string& modules) {
   for (const char* python : {"python3", "/usr/bin/python3"})
     if (runLine(fmt::format("{} -c 'import {}'", python, modules)).exit_code == 0) return python;
@@ -20,15 +20,15 @@ Outcome runPython(const std::string& python, const std::string& arguments) {
                              sourceFolder().string(), programPath(), python, arguments));
 }
 
-TEST(Python, ThePackageEqualsTheProgram) {
+TEST(Python, PackageEqualsTheProgram) {
   const std::string python = pythonWith("numpy, pandas, OpenImageIO");
   if (python.empty()) GTEST_SKIP() << "no Python with NumPy, pandas and OpenImageIO (python3-pandas)";
   Outcome outcome = runPython(python, "-W error::ResourceWarning tests/python/test_strobe.py");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-// The cells run, and the text that the notebook stores is the text that they print now.
-TEST(Python, TheNotebookIsFresh) {
+// The notebook's cells run and print the text that the notebook stores.
+TEST(Python, NotebookIsUpToDate) {
   const std::string python = pythonWith("pandas, OpenImageIO, matplotlib, nbconvert, ipykernel");
   if (python.empty()) GTEST_SKIP() << "no Python with pandas, Matplotlib and nbconvert (jupyter-nbconvert)";
   Outcome outcome = runPython(python, "tests/python/notebook.py docs/python.ipynb");

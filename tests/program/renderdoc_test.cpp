@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `render --renderdoc` from outside, with Debian's renderdoccmd.
+// The option `render --renderdoc`, with Debian's renderdoccmd.
 #include <gtest/gtest.h>
 
 #include "base/json.h"
@@ -48,7 +48,7 @@ TEST_F(RenderDoc, CapturesAFrameWithTheNamesOfPasses) {
   EXPECT_EQ(contentOf(picture), contentOf(plain)) << "a capture changes the picture";
 }
 
-TEST_F(RenderDoc, ACaptureIsTheOnlyOutputByDefault) {
+TEST_F(RenderDoc, CaptureIsTheOnlyOutputByDefault) {
   Outcome outcome = run(kShot + " --renderdoc frame.rdc", "-C " + folder_.path().string() + " " + acceptedDevice());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "frame.rdc\n");
@@ -61,7 +61,7 @@ TEST_F(RenderDoc, DevicesWithHiddenFeaturesAreRefused) {
   EXPECT_NE(outcome.err.find("; RenderDoc hides these features"), std::string::npos) << outcome.err;
 }
 
-TEST_F(RenderDoc, ACaptureNeedsTheLayer) {
+TEST_F(RenderDoc, CaptureNeedsTheLayer) {
   Outcome outcome = run(kShot + " --renderdoc " + (folder_ / "frame.rdc"),
                         "STROBE_VALIDATION=0 DISABLE_VULKAN_RENDERDOC_CAPTURE_1_24=1");
   EXPECT_EQ(outcome.exit_code, 1);
@@ -69,7 +69,7 @@ TEST_F(RenderDoc, ACaptureNeedsTheLayer) {
   EXPECT_FALSE(fs::exists(folder_ / "frame.rdc"));
 }
 
-TEST(RenderDocOption, AMissingLibraryIsNamedBeforeTheDeviceIsCreated) {
+TEST(RenderDocOption, MissingLibraryIsNamedBeforeTheDeviceIsCreated) {
   TemporaryFolder folder;
   writeText(folder / "librenderdoc.so", "");
   Outcome outcome = run(kShot + " --renderdoc frame.rdc", "LD_LIBRARY_PATH=" + folder.path().string());

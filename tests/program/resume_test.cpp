@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sweeps that end before they are done, and go on; that run in several processes; whose inputs change. Processes are
-// killed 8 times, 30 times with --all: while they start, between points and while they write one.
+// Sweeps that are interrupted and continue, run in several processes, or have changed inputs. Processes are killed 8
+// times, with --all 30 times: during start, between points and while they write a point.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@
 namespace strobe::testing {
 namespace resume_test {
 
-// 300 points: 2 arms x 150 combinations, of which 5 have a truth of their own.
+// 300 points: 2 arms x 150 combinations, with 5 different truths.
 const char* const kMany = R"lua(
 local experiment = require "strobe.experiment"
 return experiment {
@@ -47,7 +47,7 @@ class Resume : public ::testing::Test {
   std::string file(const std::string& out, const std::string& name) const {
     return contentOf(folder_ / (out + "/" + name));
   }
-  // Points drawn, by name and time of the last change.
+  // Names of drawn points and times of their last change.
   std::map<std::string, fs::file_time_type> points(const std::string& out) const {
     std::map<std::string, fs::file_time_type> found;
     if (fs::exists(folder_ / (out + "/points")))
@@ -56,7 +56,7 @@ class Resume : public ::testing::Test {
           found[entry.path().filename()] = entry.last_write_time();
     return found;
   }
-  // Kills a sweep when it has drawn so many points, or after 10 s, and a moment later.
+  // Kills a sweep `moment_s` after it has drawn this many points, or after 10 s.
   void killAt(const std::string& out, size_t points_drawn, double moment_s, const std::string& name = "sweep") const {
     pid_t child = ::fork();
     if (child == 0) {
@@ -72,8 +72,8 @@ class Resume : public ::testing::Test {
     ::waitpid(child, nullptr, 0);
   }
 
-  // Interrupts a sweep when it has drawn so many points: all its processes as Ctrl-C does, or the first one alone as a
-  // batch system does.
+  // Interrupts a sweep after it has drawn this many points: all its processes like Ctrl-C, or only the first process
+  // like a batch system.
   Outcome interruptAt(const std::string& out, size_t points_drawn, const std::string& more, bool all) const {
     const std::string err = folder_ / "interrupted.txt";
     pid_t child = ::fork();
@@ -112,13 +112,13 @@ class Resume : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
+TEST_F(Resume, KillsLoseNoPointsAndRepeatNone) {
   writeText(folder_ / "x.lua", kMany);
   ASSERT_EQ(run(command("whole"), "STROBE_VALIDATION=0").exit_code, 0);
   std::mt19937 random(1);
   std::map<std::string, fs::file_time_type> before;
   const int kills = allCases() ? 30 : 8;
-  // One step draws up to about 100 points, and some must be left.
+  // One step draws up to about 100 points, and some points must be left.
   for (int i = 0; i < kills && before.size() < 150; ++i) {
     double moment = double(random()) / double(random.max());
     if (i % 5 == 0) killAt("killed", 0, 0.7 * moment);
@@ -129,9 +129,9 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
     expectWholePictures("killed");
   }
   EXPECT_GT(before.size(), 0u);
-  EXPECT_LT(before.size(), 305u) << "nothing was left to go on with";
+  EXPECT_LT(before.size(), 305u) << "no point was left to draw";
 
-  // What there is can be laid out: the same rows where they are there.
+  // The report of an unfinished sweep has the same rows for drawn points.
   Outcome report = run("report " + (folder_ / "killed"), "STROBE_VALIDATION=0");
   EXPECT_EQ(report.exit_code, 1);
   EXPECT_NE(report.err.find("strobe: not drawn yet: "), std::string::npos) << report.err;
@@ -140,7 +140,7 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
   for (std::string left, right; std::getline(some, left) && std::getline(whole, right);)
     if (left == right + "," || left == right + ",note") ++drawn;
     else EXPECT_TRUE(left.ends_with(",,,,not drawn")) << left;
-  EXPECT_GT(drawn, 1u) << "besides the head";
+  EXPECT_GT(drawn, 1u) << "rows besides the header";
   EXPECT_NE(file("killed", "result.md").find("Not drawn yet: "), std::string::npos);
   Outcome last = run(command("killed"), "STROBE_VALIDATION=0");
   ASSERT_EQ(last.exit_code, 0) << last.err;
@@ -151,11 +151,11 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
     for (const auto& entry : fs::directory_iterator(folder_ / ("killed/" + std::string(part))))
       EXPECT_TRUE(
           std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}_[0-9a-f]{8}\\.(json|png|exr)")))
-          << entry.path() << " was left unfinished";
+          << entry.path() << " is an unfinished file";
 }
 
-// One line, whatever runs; the number is that of the files.
-TEST_F(Resume, InterruptedItSaysWhatIsKeptAndGoesOn) {
+// One line for any number of processes; it states the number of files.
+TEST_F(Resume, InterruptedSweepReportsKeptPointsAndContinues) {
   writeText(folder_ / "x.lua", few("experiment.linear(1, 40, 40)"));
   for (const std::string more : {"", "--jobs 2", "--jobs 3"}) {
     const std::string out = "out" + more.substr(more.size() ? more.size() - 1 : 0);
@@ -165,20 +165,20 @@ TEST_F(Resume, InterruptedItSaysWhatIsKeptAndGoesOn) {
     const std::regex line("(^|\n)interrupted; (\\d+) of 80 points (is|are) kept; the same command continues\n$");
     ASSERT_TRUE(std::regex_search(outcome.err, match, line)) << outcome.err;
     EXPECT_GE(std::stoi(match[2]), 2) << "two of four files may be truths";
-    EXPECT_LT(std::stoi(match[2]), 80) << "nothing was interrupted";
+    EXPECT_LT(std::stoi(match[2]), 80) << "the sweep was not interrupted";
     EXPECT_EQ(outcome.err.find("signal"), std::string::npos) << outcome.err;
     EXPECT_TRUE(copyIn(folder_ / out).empty());
     for (const auto& entry : fs::recursive_directory_iterator(folder_ / out))
       EXPECT_TRUE(entry.path().extension() != ".part" && entry.path().extension() != ".lock") << entry.path();
   }
-  // The same command at once, while processes of the one before may still end.
+  // The same command runs at once, while processes of the interrupted sweep may still be ending.
   const std::map<std::string, fs::file_time_type> before = points("out2");
   ASSERT_EQ(run(command("out2"), "STROBE_VALIDATION=0").exit_code, 0);
   for (const auto& [name, time] : before) EXPECT_EQ(points("out2").at(name), time) << "written again";
   EXPECT_TRUE(copyIn(folder_ / "out2").empty());
 }
 
-TEST_F(Resume, ATimeLimitStopsItAndItGoesOn) {
+TEST_F(Resume, TimeLimitStopsASweepThatContinues) {
   writeText(folder_ / "x.lua", few("experiment.linear(1, 12, 12)"));
   Outcome stopped = run(command("out", "--time-left 0.8"), "STROBE_VALIDATION=0");
   EXPECT_EQ(stopped.exit_code, 75);
@@ -187,8 +187,8 @@ TEST_F(Resume, ATimeLimitStopsItAndItGoesOn) {
   EXPECT_EQ(run(command("out", "--time-left 1000"), "STROBE_VALIDATION=0").exit_code, 0);
 }
 
-// The run ends between its last point and its results.
-TEST_F(Resume, ResultsThatCannotBeWrittenCanBeLaidOutLater) {
+// The run fails after its last point, before its results are written.
+TEST_F(Resume, UnwritableResultsAreWrittenLater) {
   writeText(folder_ / "x.lua", few("{ 2 }"));
   fs::create_directories(folder_ / "out/report.html/in_the_way");
   Outcome outcome = run(command("out"), "STROBE_VALIDATION=0");
@@ -203,7 +203,7 @@ TEST_F(Resume, ResultsThatCannotBeWrittenCanBeLaidOutLater) {
   EXPECT_FALSE(fs::exists(folder_ / "out/unfinished.json"));
 }
 
-TEST_F(Resume, AnInterruptedDemoIsLaidOutUnderItsOwnNames) {
+TEST_F(Resume, InterruptedDemoKeepsItsFileNames) {
   writeText(folder_ / "x.lua", R"lua(
 local capture = require "strobe.capture"
 local arms = { { name = "truth", pipeline = "ground_truth", set = { samples = 16 } } }
@@ -223,8 +223,8 @@ return capture {
   EXPECT_FALSE(fs::exists(folder_ / "out/result.json"));
 }
 
-// Names of points are hashes of their content, and each holds the hash of its picture.
-TEST_F(Resume, ProcessesAndOrderDecideNothing) {
+// Names of points are hashes of their inputs, and each point has the hash of its picture.
+TEST_F(Resume, ResultsDoNotDependOnProcessesOrOrder) {
   writeText(folder_ / "x.lua", few("{ 2, 3, 5, 8 }"));
   ASSERT_EQ(run(command("one")).exit_code, 0);
   Outcome two = run(command("two", "--jobs 2"));
@@ -238,7 +238,7 @@ TEST_F(Resume, ProcessesAndOrderDecideNothing) {
       EXPECT_EQ(file(other, "points/" + name), file("one", "points/" + name)) << other;
 }
 
-TEST_F(Resume, AnAddedValueDrawsNewPointsAlone) {
+TEST_F(Resume, AddedValueDrawsOnlyNewPoints) {
   writeText(folder_ / "x.lua", few("{ 2, 8 }"));
   ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
   auto before = points("out");
@@ -251,7 +251,7 @@ TEST_F(Resume, AnAddedValueDrawsNewPointsAlone) {
   EXPECT_NE(file("out", "table.csv").find("\n6,hybrid,bar,inner,0.5,8,"), std::string::npos)
       << file("out", "table.csv");
 
-  // What another machine drew is merged by copying it.
+  // Points drawn on another machine are merged by copying them.
   writeText(folder_ / "x.lua", few("{ 16 }"));
   ASSERT_EQ(run(command("elsewhere"), "STROBE_VALIDATION=0").exit_code, 0);
   fs::copy(folder_ / "elsewhere/points", folder_ / "out/points",
@@ -259,7 +259,7 @@ TEST_F(Resume, AnAddedValueDrawsNewPointsAlone) {
   auto merged = points("out");
   writeText(folder_ / "x.lua", few("{ 2, 4, 8, 16 }"));
   ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
-  EXPECT_EQ(points("out"), merged) << "nothing was left to draw";
+  EXPECT_EQ(points("out"), merged) << "no new point was drawn";
 }
 
 TEST_F(Resume, LinearPicturesAreKeptOnRequest) {
@@ -273,12 +273,12 @@ TEST_F(Resume, LinearPicturesAreKeptOnRequest) {
     for (const char* ending : {".png", ".exr", ".record.json"})
       EXPECT_TRUE(fs::exists(Path(point).replace_extension(ending))) << name << ending;
     Json record = Json::parse(contentOf(Path(point).replace_extension(".record.json")));
-    EXPECT_EQ(record["outputs"]["color"], Json::parse(contentOf(point))["image"]) << "of the picture measured";
+    EXPECT_EQ(record["outputs"]["color"], Json::parse(contentOf(point))["image"]) << "hash of the measured picture";
   }
 }
 
-// What a sweep measures is what `compare` says of the files that it keeps.
-TEST_F(Resume, MeasuresAreThoseOfCompare) {
+// Measures of a sweep equal the results of `compare` for the kept files.
+TEST_F(Resume, MeasuresMatchCompare) {
   const std::map<std::string, std::string> names = {{"rmse", "rmse"},
                                                     {"mse", "mse"},
                                                     {"flip", "ldr_flip"},
@@ -310,7 +310,7 @@ TEST_F(Resume, MeasuresAreThoseOfCompare) {
     double value = values.begin()->get<double>();
     EXPECT_NEAR(value, said[key].get<double>(), 1e-6 * std::abs(value)) << name;
   }
-  // The file of truth is a colour picture to other programs too.
+  // Other programs also read the file of truth as a colour picture.
   for (const auto& entry : fs::directory_iterator(folder_ / "out/truth")) {
     Outcome same = run("compare " + picture(0) + " " + entry.path().string() + " --json");
     ASSERT_EQ(same.exit_code, 0) << same.err;
@@ -320,11 +320,11 @@ TEST_F(Resume, MeasuresAreThoseOfCompare) {
   }
 }
 
-// The shader says something else in the middle of the sweep; what was started goes on with what it said.
-TEST_F(Resume, WhatIsEditedMeanwhileDoesNotCount) {
+// A shader is edited in the middle of the sweep; the sweep continues with the original shader.
+TEST_F(Resume, EditsDuringASweepHaveNoEffect) {
   const std::string home = ownHome();
   std::string environment = "STROBE_VALIDATION=0 STROBE_HOME=" + home;
-  // The last values need a shader that none of those before does.
+  // The last values need a shader that no earlier value needs.
   std::string text = few("experiment.linear(1, 150, 150)");
   size_t from = text.find("experiment.grid"), to = text.find(" } }", from) + 2;
   text.replace(
@@ -347,8 +347,8 @@ TEST_F(Resume, WhatIsEditedMeanwhileDoesNotCount) {
   EXPECT_EQ(file("edited", "table.csv"), file("plain", "table.csv"));
 }
 
-// So do a pipeline and a scene beside the experiment; commands name the files themselves.
-TEST_F(Resume, WhatIsEditedBesideTheExperimentDoesNotCount) {
+// The same for a pipeline and a scene beside the experiment; commands name the original files.
+TEST_F(Resume, EditsBesideTheExperimentHaveNoEffect) {
   const fs::path home = ownHome();
   fs::create_directories(home / "experiments");
   const std::vector<std::string> files = {"experiments/card.lua", "experiments/own.lua"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the program as a user does: exit code, standard output and error.
+// Runs the program like a user: exit code, standard output and standard error.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ inline std::string programPath() {
   return program ? program : "strobe";
 }
 
-// A scene of 64 x 36 px: a red card of 6 px per 0.6 m before a checker.
+// A scene for 64 x 36 px: a red card that moves 6 px per 0.6 m in front of a checkerboard.
 inline const char* const kCardScene = R"lua(
 local scene = require "strobe.scene"
 local red = scene.material { color = { 0.8, 0.1, 0.1 }, unlit = true }
@@ -51,18 +51,19 @@ return scene { name = "small", nodes = {
 } }
 )lua";
 
-// A line of the shell.
+// Runs a shell line.
 inline Outcome runLine(const std::string& line, const std::vector<std::string>& environment = {}) {
   ProgramEnd end = strobe::run({.arguments = {"sh", "-c", line}, .environment = environment, .wall_s = 600});
   return {end.code(), end.output, end.errors};
 }
 
-// `arguments` as a shell reads them; `environment` like "NAME=value NAME2=value2". Validation is on unless it says not.
+// `arguments` as in a shell; `environment` like "NAME=value NAME2=value2". Validation is on unless `environment` sets
+// it.
 inline Outcome run(const std::string& arguments, const std::string& environment = "STROBE_VALIDATION=1") {
   return runLine("exec env " + environment + " '" + programPath() + "' " + arguments);
 }
 
-// Folder of a command's copy of the home; "" if it has none.
+// Folder of a command's copy of the home; "" if it does not exist.
 inline fs::path copyIn(const fs::path& out) {
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(out, missing))
@@ -70,7 +71,7 @@ inline fs::path copyIn(const fs::path& out) {
   return {};
 }
 
-// Starts a thread that spoils `files` once a command has copied them into its folder `out`.
+// Starts a thread that damages `files` after a command has copied them to its folder `out`.
 inline std::thread spoilOnceCopied(const fs::path& folder, const fs::path& out, std::vector<std::string> files) {
   return std::thread([folder, out, files = std::move(files)] {
     fs::path copies;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every scene among the shared data, in the short form every third, ends with a picture or a clear refusal, never a
-// crash. Scenes of objects are drawn.
+// Every scene of the shared data gives a picture or a clear refusal, never a crash; the short form tests every third
+// scene. Scenes of single objects give pictures.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -71,7 +71,7 @@ TEST_F(Serve, RefusesOtherCommandsAndOtherText) {
   EXPECT_NE(all.answers[2]["error"].get<std::string>().find("a request is one line"), std::string::npos);
 }
 
-TEST_F(Serve, APassBeyondItsTimeLimitEndsTheProgram) {
+TEST_F(Serve, PassBeyondItsTimeLimitEndsTheProgram) {
   const Answers all =
       answersTo({requestOf("help none"), requestOf("render ground_truth --size 64x36 --time-limit 0.000000001 --json"),
                  requestOf("help none")});

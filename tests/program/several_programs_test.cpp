@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several programs in one folder of a sweep: plain ones, killed ones, shares, and what `status` shows of them.
+// Several programs in one folder of a sweep: complete programs, killed programs, shares, and the output of `status`.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -15,7 +15,7 @@
 namespace strobe::testing {
 namespace several_programs_test {
 
-// 24 points, of four truths.
+// 24 points with four truths.
 const char* const kMany = R"lua(
 local experiment = require "strobe.experiment"
 return experiment {
@@ -87,13 +87,13 @@ class SeveralPrograms : public ::testing::Test {
   int started_ = 0;
 };
 
-TEST_F(SeveralPrograms, GiveTheTableOfOne) {
+TEST_F(SeveralPrograms, GiveTheTableOfOneProgram) {
   write();
   ASSERT_EQ(sweep("one").exit_code, 0);
   startAll("eight", 8);
   expectAllSucceed();
   EXPECT_EQ(file("eight", "table.csv"), file("one", "table.csv"));
-  ASSERT_EQ(filesIn("one/points", ".json").size(), 20u) << "four truths, four of `none`, 12 of the other";
+  ASSERT_EQ(filesIn("one/points", ".json").size(), 20u) << "four truths, four points of `none`, 12 of the other arm";
   for (const fs::path& point : filesIn("one/points", ".json"))
     EXPECT_EQ(file("eight", "points/" + point.filename().string()), contentOf(point));
   EXPECT_EQ(filesIn("eight/truth", ".exr").size(), 4u);
@@ -103,7 +103,7 @@ TEST_F(SeveralPrograms, GiveTheTableOfOne) {
   EXPECT_EQ(done.out, "Many: 24 of 24 points drawn, 0 missing, 0 failed\n");
 }
 
-TEST_F(SeveralPrograms, MeasureTimesOneAfterTheOther) {
+TEST_F(SeveralPrograms, MeasureTimesInTurn) {
   write("4", "\"ms\", \"ms_ratio\"");
   startAll("out", 3);
   expectAllSucceed();
@@ -123,12 +123,12 @@ TEST_F(SeveralPrograms, MeasureTimesOneAfterTheOther) {
   EXPECT_EQ(whole.err.find("times: "), std::string::npos) << whole.err;
 }
 
-// A program is killed while it draws a truth. Others draw the points that it has claimed.
-TEST_F(SeveralPrograms, TakeOverWhatAKilledOneHasClaimed) {
+// A program is killed while it draws a truth. Other programs draw the points that it had claimed.
+TEST_F(SeveralPrograms, TakeOverClaimsOfAKilledProgram) {
   write("256");
   const pid_t killed = start("killed");
   for (int waited = 0; filesIn("killed/.workers", ".lock").size() < 2 && waited < 3000; ++waited) ::usleep(10000);
-  EXPECT_EQ(filesIn("killed/.workers", ".lock").size(), 2u) << "its point and its truth";
+  EXPECT_EQ(filesIn("killed/.workers", ".lock").size(), 2u) << "claims of a point and its truth";
   ::kill(killed, SIGSTOP);
   const Json now = Json::parse(status("killed", "--json").out);
   EXPECT_EQ(now["missing"], 24);
@@ -139,7 +139,7 @@ TEST_F(SeveralPrograms, TakeOverWhatAKilledOneHasClaimed) {
   ::waitpid(killed, nullptr, 0);
   EXPECT_TRUE(std::regex_search(status("killed").out, std::regex("\nlost     \\S+, no sign for \\d+ s\n")))
       << status("killed").out;
-  // One claim is that of another machine, without a sign for a minute.
+  // A claim of another machine that was not renewed for a minute.
   const fs::path claim = filesIn("killed/.workers", ".lock").front();
   writeText(claim, "elsewhere-0000.1");
   fs::last_write_time(claim, fs::file_time_type::clock::now() - std::chrono::seconds(61));
@@ -153,7 +153,7 @@ TEST_F(SeveralPrograms, TakeOverWhatAKilledOneHasClaimed) {
 TEST_F(SeveralPrograms, DrawShares) {
   write();
   ASSERT_EQ(sweep("one").exit_code, 0);
-  // The tasks 10, 13 and 16 of an array; two at a time.
+  // Tasks 10, 13 and 16 of an array, two at a time.
   size_t points = 0;
   for (int task : {16, 10, 13}) {
     Outcome share = sweep("shares", "",
@@ -167,7 +167,10 @@ TEST_F(SeveralPrograms, DrawShares) {
         << share.out << share.err;
     points += std::stoul(counted[1]);
     EXPECT_FALSE(fs::exists(folder_ / "shares/result.json"));
-    EXPECT_EQ(filesIn("shares/truth", ".exr").size(), task == 16 ? 1u : task == 10 ? 3u : 4u) << "each is in one share";
+    EXPECT_EQ(filesIn("shares/truth", ".exr").size(), task == 16   ? 1u
+                                                      : task == 10 ? 3u
+                                                                   : 4u)
+        << "each truth is drawn by one share";
   }
   EXPECT_EQ(points, 24u);
   EXPECT_EQ(run("report " + (folder_ / "shares"), "STROBE_VALIDATION=0").exit_code, 0);
@@ -186,7 +189,7 @@ TEST_F(SeveralPrograms, DrawShares) {
   EXPECT_EQ(Json::parse(sweep("shares", "--share 3/3 --dry-run --json").out).size(), 6u);
 }
 
-// Each share moves its points into a pack. Everything reads the packs, and a damaged pack is made again.
+// Each share moves its points into a pack. All commands read packs, and a damaged pack is made again.
 TEST_F(SeveralPrograms, PackTheirPoints) {
   write("4", "\"ms\"");
   EXPECT_EQ(sweep("packed", "--share 1/2").exit_code, 0) << "its single files are packed by the next run";
@@ -194,7 +197,7 @@ TEST_F(SeveralPrograms, PackTheirPoints) {
     EXPECT_EQ(sweep("packed", std::string(share) + " --pack").exit_code, 0);
   const std::vector<fs::path> packs = filesIn("packed/packs", ".zip");
   ASSERT_EQ(packs.size(), 2u);
-  // A truth is not timed, but it also is a complete point.
+  // A truth has no times, but is a complete point.
   EXPECT_TRUE(filesIn("packed/points", ".json").empty());
   EXPECT_TRUE(filesIn("packed/points", ".png").empty());
   const Outcome report = run("report " + (folder_ / "packed"), "STROBE_VALIDATION=0");
@@ -264,7 +267,7 @@ TEST_F(SeveralPrograms, AgreeOnTheirInputs) {
                              (folder_ / "x.lua")),
             std::string::npos)
       << refused.err;
-  EXPECT_EQ(filesIn("out/truth", ".exr").size(), 1u) << "nothing is lost";
+  EXPECT_EQ(filesIn("out/truth", ".exr").size(), 1u) << "the truth is kept";
   fs::remove(sign);
   Outcome warned = sweep("out", "--only exposure=0.2");
   EXPECT_EQ(warned.exit_code, 0) << warned.err;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe bench slopes` from outside, on a few small pictures: the files it writes and what it refuses. No time is
-// looked at.
+// The command `strobe bench slopes` on a few small pictures: written files and refusals. No test depends on a time.
 #include <gtest/gtest.h>
 
 #include "base/json.h"
@@ -9,7 +8,7 @@
 namespace strobe::testing {
 namespace slopes_test {
 
-// Sizes, and a mover whose masked pixels are counted.
+// Image sizes, and a moving object whose masked pixels are counted.
 const std::string kExperiment = R"lua(
 local experiment = require "strobe.experiment"
 local list = experiment.list
@@ -45,7 +44,7 @@ class BenchSlopes : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(BenchSlopes, WritesLinesAndDemands) {
+TEST_F(BenchSlopes, WritesFitsAndDemands) {
   Outcome outcome = slopes(fileWith() + " --bandwidth 100 -o " + (folder_ / "out"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("Lower bound of a frame's GPU time"), std::string::npos) << outcome.out;
@@ -56,15 +55,16 @@ TEST_F(BenchSlopes, WritesLinesAndDemands) {
   EXPECT_EQ(pixels["fits"][0]["x"], Json({144.0, 576.0, 1296.0}));
   EXPECT_EQ(pixels["fits"][0]["expected"], "linear");
   EXPECT_EQ(pixels["run"]["shots"][5]["width"], 48);
-  EXPECT_FALSE(cover["fits"][0].contains("outcome")) << "nothing is expected";
+  EXPECT_FALSE(cover["fits"][0].contains("outcome")) << "the axis has no expectation";
   EXPECT_GT(cover["fits"][0]["x"][1].get<double>(), cover["fits"][0]["x"][0].get<double>()) << "masked pixels";
   ASSERT_EQ(json["demands"].size(), 4u);
   const Json &full_hd = json["demands"][2], &uhd = json["demands"][3];
   EXPECT_EQ(uhd["width"], 3840);
   EXPECT_EQ(uhd["published"]["fps"], 205);
-  EXPECT_NEAR(uhd["bytes"].get<double>() / full_hd["bytes"].get<double>(), 4, 0.01) << "but for borders of tiles";
+  EXPECT_NEAR(uhd["bytes"].get<double>() / full_hd["bytes"].get<double>(), 4, 0.01) << "except at borders of tiles";
   EXPECT_EQ(uhd["rays"].get<double>(), 4 * full_hd["rays"].get<double>());
-  EXPECT_GT(full_hd["rays"].get<double>(), json["demands"][0]["rays"].get<double>()) << "shadows alone";
+  EXPECT_GT(full_hd["rays"].get<double>(), json["demands"][0]["rays"].get<double>())
+      << "compared with rays for shadows only";
   std::string page = contentOf(folder_ / "out/index.html");
   for (const char* text : {"<svg", "205", "a paper", "All passes"})
     EXPECT_NE(page.find(text), std::string::npos) << text;

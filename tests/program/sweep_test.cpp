@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe demo`, `sweep` and `report` from outside: what they write, what they refuse, and that a browser can show the
-// page.
+// The commands `strobe demo`, `sweep` and `report`: written files, refusals, and the page in a browser.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +31,7 @@ return capture {
     { name = "elsewhere", title = "Elsewhere", scene = "shared:no_such_scene.glb" },
   },
   expect = {
-    { "what is behind helps", shot = "card", function(r)
+    { "the background helps", shot = "card", function(r)
       local own, without = r.at { arm = "hybrid", region = "inner" }, r.at { arm = "no blur", region = "inner" }
       if own.background_deviation < 0.2 * own.background_difference then return nil end
       return own.rmse < 0.5 * without.rmse, ("%.3f"):format(own.rmse / without.rmse)
@@ -59,7 +58,7 @@ std::string demoText(const std::string& pipeline, const std::string& extra, cons
   return replaced(replaced(text, "PIPELINE", pipeline), "EXTRA", extra);
 }
 
-TEST(Demo, AMistakeIsOneLineAndWritesNothing) {
+TEST(Demo, MistakeIsOneLineAndWritesNothing) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
   writeText(folder / "demo.lua", demoText("hybrid", "exposre = 0.5"));
@@ -74,7 +73,7 @@ TEST(Demo, AMistakeIsOneLineAndWritesNothing) {
   }
 }
 
-// What a browser makes of the page, or an empty image where there is none.
+// Screenshot of the page in a browser; empty without Chromium.
 image::Image screenshot(const TemporaryFolder& folder, const std::string& page) {
   if (runLine("command -v chromium").exit_code != 0) return {};
   std::string shot = folder / "page.png";
@@ -92,7 +91,7 @@ void expectShown(const image::Image& page) {
       bool is_red = page.at(x, y, 0) > 0.7f && page.at(x, y, 1) < 0.5f && page.at(x, y, 2) < 0.5f;
       ++(is_red ? red : other);
     }
-  EXPECT_GT(red, 1000u) << "the card is nowhere to be seen";
+  EXPECT_GT(red, 1000u) << "the card is not visible";
   EXPECT_GT(other, red);
 }
 
@@ -113,24 +112,24 @@ TEST(Demo, WritesFigurePageNumbersAndRecords) {
   EXPECT_NE(contentOf(out + "/demo.md").find("| no blur |"), std::string::npos);
 
   Json json = Json::parse(contentOf(out + "/demo.json"));
-  ASSERT_EQ(json["groups"].size(), 1u) << "the other shot is missing";
+  ASSERT_EQ(json["groups"].size(), 1u) << "the other shot is left out";
   const Json& points = json["groups"][0]["points"];
   ASSERT_EQ(points.size(), 4u);
   EXPECT_EQ(points[0]["role"], "truth");
   auto value = [&](size_t i, const char* measure, const char* region) {
     return points[i]["values"][measure][region].get<double>();
   };
-  // 0.3 m at 36 / (2 tan 30 deg) px at 2 m
+  // 0.3 m at a distance of 2 m, with 36 / (2 tan 30 deg) px per unit slope.
   EXPECT_NEAR(value(0, "displacement", "all"), 4.7, 0.2);
-  EXPECT_LT(value(2, "rmse", "inner"), 0.5 * value(1, "rmse", "inner")) << "what is behind must help";
-  EXPECT_GT(value(3, "rmse", "inner"), 0.0) << "a floor has truth's own error in it";
+  EXPECT_LT(value(2, "rmse", "inner"), 0.5 * value(1, "rmse", "inner")) << "the background must reduce the error";
+  EXPECT_GT(value(3, "rmse", "inner"), 0.0) << "the noise floor includes truth's own error";
   EXPECT_EQ(json["expectations"][0]["outcome"], "holds") << json["expectations"][0];
   EXPECT_EQ(json["expectations"][1]["outcome"], "does not apply");
   EXPECT_GT(value(1, "ms", "all"), 0);
   EXPECT_FALSE(points[0]["values"].contains("ms")) << "truth is not timed";
   EXPECT_NE(json["shots"][1]["missing"].get<std::string>().find("no_such_scene"), std::string::npos);
 
-  // Laid out again from what is on disk.
+  // `report` writes the same page from the stored files.
   std::string page = contentOf(out + "/demo.html");
   Outcome again = run("report " + out);
   ASSERT_EQ(again.exit_code, 0) << again.err;
@@ -140,9 +139,9 @@ TEST(Demo, WritesFigurePageNumbersAndRecords) {
   EXPECT_NE(page.find("Small &lt;demo&gt; &amp; more"), std::string::npos);
   EXPECT_NE(page.find("Card by nobody"), std::string::npos);
   EXPECT_LT(page.size(), 12'000'000u);
-  EXPECT_EQ(image::readPng(out + "/figure.png").width, 2 * 480 + 6 + 2 * 12) << "crops are the widest";
+  EXPECT_EQ(image::readPng(out + "/figure.png").width, 2 * 480 + 6 + 2 * 12) << "crops decide the width";
 
-  // Each picture was drawn once: what is measured is what the manifest has.
+  // Each picture was drawn once: the measured picture is the picture in the manifest.
   Json manifest = Json::parse(contentOf(out + "/manifest.json"));
   ASSERT_EQ(manifest["pictures"].size(), 4u);
   for (const Json& picture : manifest["pictures"])
@@ -152,7 +151,7 @@ TEST(Demo, WritesFigurePageNumbersAndRecords) {
     }
   Json timings = Json::parse(contentOf(out + "/timings.json"));
   for (const Json& point : points) {
-    if (point["role"] == "truth") continue;  // read from the folder's truth
+    if (point["role"] == "truth") continue;  // read from the stored truth
     std::string own = "a_card/" + point["arm"].get<std::string>();
     std::replace(own.begin(), own.end(), ' ', '_');
     EXPECT_EQ(Json::parse(contentOf(out + "/" + own + ".timings.json")),
@@ -166,8 +165,8 @@ TEST(Demo, WritesFigurePageNumbersAndRecords) {
   expectShown(shown);
 }
 
-// Table, figure and manifest of the shipped demo; with --all, it is the same when it is taken again.
-TEST(Demo, TheShippedOneIsACaptureWithATable) {
+// The shipped demo has a table, a figure and a manifest; with --all, a second run gives the same files.
+TEST(Demo, ShippedDemoIsACaptureWithATable) {
   TemporaryFolder folder;
   std::string out = folder / "out";
   Outcome outcome = run("demo --size 64x36 -o " + out, "STROBE_VALIDATION=0");
@@ -184,7 +183,7 @@ TEST(Demo, TheShippedOneIsACaptureWithATable) {
   EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
 }
 
-TEST(Demo, RefusesWhatIsNotMeasured) {
+TEST(Demo, RefusesUnmeasuredValues) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
   auto refused = [&](const std::string& from, const std::string& to, const std::string& wanted) {
@@ -205,8 +204,8 @@ TEST(Demo, RefusesWhatIsNotMeasured) {
   refused("move =", "vary = { exposure = { 0.1, 0.2 } }, move =", "a shot with vary cannot be measured");
 }
 
-// Pictures of one size do not stand for those of another, though they have the same names.
-TEST(Demo, AnotherSizeAndBack) {
+// A picture of one size does not replace a picture of another size with the same name.
+TEST(Demo, DrawsAgainAtAnotherSize) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
   writeText(folder / "demo.lua", demoText("hybrid", ""));
@@ -221,7 +220,7 @@ TEST(Demo, AnotherSizeAndBack) {
 
 // ---- sweep
 
-TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
+TEST(Sweep, FailedExpectationIsNamedAndGivesExitCodeOne) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
   std::string wrong = "{ \"two is three\", function() return false, \"2 < 3\" end },";
@@ -232,17 +231,17 @@ TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
   EXPECT_NE(outcome.err.find("strobe: expectation fails: two is three (2 < 3)"), std::string::npos) << outcome.err;
   for (const char* file : {"report.html", "report.png", "result.json", "result.md", "table.csv"})
     EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
-  EXPECT_GT(image::readPng(out + "/report.png").width, 3 * 64 * 7) << "a column for each arm that is shown";
+  EXPECT_GT(image::readPng(out + "/report.png").width, 3 * 64 * 7) << "a column for each shown arm";
   EXPECT_EQ(Json::parse(outcome.out), Json::parse(contentOf(out + "/result.json")));
   EXPECT_NE(contentOf(out + "/result.md").find("two is three. This fails"), std::string::npos);
 
-  // The texts and expectations of the file as it is now.
+  // `report` uses the texts and expectations of the current file.
   std::string known = replaced(wrong, "end }", "end, known = \"two is two\" }");
   writeText(folder / "x.lua", demoText("hybrid", "", known));
   EXPECT_EQ(run("report " + out).exit_code, 1);
   EXPECT_EQ(run("report " + out + " --experiment " + (folder / "x.lua")).exit_code, 0);
 
-  // The command that it prints for a point makes that picture.
+  // The printed command of a point draws the point's picture.
   Json point = Json::parse(contentOf(out + "/result.json"))["groups"][0]["points"][1];
   std::string repeat = point["command"].get<std::string>();
   repeat = repeat.substr(7, repeat.find(" -o ") - 7);
@@ -251,7 +250,7 @@ TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
   EXPECT_EQ(Json::parse(contentOf(folder / "point.record.json"))["outputs"], record["outputs"]);
 }
 
-TEST(Sweep, ListsItsPointsAndRefusesWhatIsNone) {
+TEST(Sweep, ListsItsPointsAndRefusesOthers) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
   writeText(folder / "x.lua", demoText("hybrid", ""));

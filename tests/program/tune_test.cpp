@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe tune` from outside: the preset it writes, the results beside it, and what it refuses.
+// The command `strobe tune`: the written preset, the results beside it, and refusals.
 #include <gtest/gtest.h>
 
 #include "base/json.h"
@@ -22,7 +22,7 @@ class Tune : public ::testing::Test {
     EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(folder_ / "found"));
   }
-  // How the one that was chosen was timed: the text of its point.
+  // The text about the timing of the chosen point.
   static std::string timesOf(const Json& groups, const Json& chosen) {
     for (const Json& group : groups)
       if (group["shot"] == "level 3" && group["points"][1]["command"] == chosen["command"])
@@ -35,7 +35,7 @@ class Tune : public ::testing::Test {
   std::string shot_;
 };
 
-TEST_F(Tune, WritesAPresetAndAllItSaw) {
+TEST_F(Tune, WritesAPresetAndAllResults) {
   std::string options = "--set jitter=hash --vary samples,weights --budget-ratio 1000 --evaluations 18";
   Outcome outcome = tune(options + " --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -47,7 +47,7 @@ TEST_F(Tune, WritesAPresetAndAllItSaw) {
   for (const char* file : {"report.html", "result.md", "table.csv", "passes.csv"})
     EXPECT_TRUE(fs::exists(folder_.path() / "found" / file)) << file;
 
-  // The least error of all that was measured at the last level.
+  // Smallest error measured at the last level.
   double least = 1;
   const Json seen = groups();
   for (const Json& group : seen) {
@@ -58,18 +58,18 @@ TEST_F(Tune, WritesAPresetAndAllItSaw) {
   EXPECT_NEAR(tuned["chosen"]["error"].get<double>(), least, 1e-8);
   EXPECT_EQ(timesOf(seen, tuned["chosen"]).rfind("15 to 45 rounds", 0), 0u) << timesOf(seen, tuned["chosen"]);
 
-  // The preset has what was found and what was set, and draws the same picture.
+  // The preset has the found and the given settings, and draws the same picture.
   std::string preset = folder_ / "found.lua", out = folder_ / "out.png";
   EXPECT_NE(contentOf(preset).find("jitter = \"hash\""), std::string::npos) << contentOf(preset);
   Outcome drawn = run("render " + shot_ + "--set preset=" + preset + " -o " + out);
   ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
   Json record = Json::parse(contentOf(folder_ / "out.record.json"));
-  EXPECT_EQ(record["scripts"].count(preset), 1u) << "by its content";
+  EXPECT_EQ(record["scripts"].count(preset), 1u) << "recorded by its content";
   bool same = false;
   for (const Json& group : seen) same = same || group["points"][1].value("image", "") == record["outputs"]["color"];
   EXPECT_TRUE(same);
 
-  // Again nothing is drawn, and the choice is the same; `report` lays it out.
+  // A second run draws nothing and chooses the same point; `report` writes the page.
   auto drawn_at = [&] {
     std::map<std::string, fs::file_time_type> times;
     for (const auto& entry : fs::directory_iterator(folder_.path() / "found/truth"))
@@ -87,21 +87,21 @@ TEST_F(Tune, WritesAPresetAndAllItSaw) {
   EXPECT_EQ(run("report " + (folder_ / "found")).exit_code, 0);
 }
 
-TEST_F(Tune, SaysThatNothingMeetsTheLimit) {
+TEST_F(Tune, ReportsThatNoSettingMeetsTheLimit) {
   Outcome outcome = tune("--vary samples --max-error 0.01x --cost own --evaluations 10");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("no tried setting meets the limit"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.out.find("nearest"), std::string::npos) << outcome.out;
   EXPECT_FALSE(fs::exists(folder_ / "found.lua"));
   const Json seen = groups();
-  EXPECT_GT(seen.size(), 3u) << "the front is there all the same";
+  EXPECT_GT(seen.size(), 3u) << "the front is written anyway";
   const Json& start = seen[0]["points"][1]["values"];
   EXPECT_GT(start["ms_own"]["all"].get<double>(), 0);
-  EXPECT_LT(start["ms_own"]["all"].get<double>(), start["ms"]["all"].get<double>()) << "without what it shares";
+  EXPECT_LT(start["ms_own"]["all"].get<double>(), start["ms"]["all"].get<double>()) << "without shared passes";
   EXPECT_EQ(start["own_ratio"]["all"].get<double>(), 1) << "the base is itself";
 }
 
-// A pipeline and a scene of a project that are edited meanwhile do not count.
+// Edits of a project's pipeline and scene during a search have no effect.
 TEST_F(Tune, ReadsItsFilesOnce) {
   ASSERT_EQ(run("new '" + (folder_ / "p") + "'").exit_code, 0);
   const fs::path project = folder_ / "p";

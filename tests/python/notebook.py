@@ -11,7 +11,7 @@ import sys
 import nbformat
 from nbconvert.preprocessors import ExecutePreprocessor
 
-os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")  # no messages of the debugger
+os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")  # without the debugger's messages
 MOST_BYTES = 300_000
 
 

@@ -8,7 +8,7 @@
 
 namespace strobe::repo {
 
-// The statements of a class's body, each up to its ';' or its own body; those of nested types are left out.
+// Statements of a class body, each up to its ';' or its own body; without the statements of nested types.
 static std::vector<std::string> statementsIn(const std::string& text, size_t body) {
   std::vector<std::string> statements = {""};
   int depth = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The documentation leads somewhere: links of Markdown files, the length of the README, the index.
+// The documentation is connected: links of Markdown files, the length of the README, the index.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::vector<Source> pages() {
   return result;
 }
 
-// Without fenced and indented code, and without what stands between backticks.
+// The page without fenced and indented code and text in backticks.
 std::string proseOf(const std::string& page) {
   std::istringstream lines(page);
   std::string prose;
@@ -36,7 +36,7 @@ std::string proseOf(const std::string& page) {
   return std::regex_replace(prose, std::regex("`[^`\n]*`"), "x");
 }
 
-// The anchor that a heading gets: lower case, letters, digits and hyphens alone.
+// The anchor of a heading: lower case with letters, digits and hyphens only.
 std::string anchorOf(const std::string& heading) {
   std::string anchor;
   for (char c : heading) {
@@ -54,7 +54,7 @@ bool hasHeading(const std::string& page, const std::string& anchor) {
   return false;
 }
 
-// Targets of "[text](target)" and "![text](target)" on each line.
+// Broken targets of "[text](target)" and "![text](target)".
 Findings brokenLinks(const std::vector<Source>& pages, const fs::path& folder) {
   static const std::regex link(R"rx(\]\(([^)\s]+)\))rx");
   Findings findings;
@@ -78,7 +78,7 @@ Findings brokenLinks(const std::vector<Source>& pages, const fs::path& folder) {
   return findings;
 }
 
-// Files of this repository that are named as code: `runtime/x.cpp`. Pages on projects name files of a project.
+// Missing files of this repository that pages name as code: `runtime/x.cpp`. Pages on projects name files of a project.
 Findings namedButMissing(const std::vector<Source>& pages, const fs::path& folder) {
   static const std::regex named("`((?:runtime|shaders|passes|scripts|tests|docs|experiments|tools)/[a-z0-9_./]*)`");
   Findings findings;
@@ -89,8 +89,7 @@ Findings namedButMissing(const std::vector<Source>& pages, const fs::path& folde
   return findings;
 }
 
-// Changes shown as "--- FILE" with lines of it: what they remove and what stands around it is there, in this order.
-// "..." leaves lines out.
+// Changes shown as "--- FILE" whose removed and context lines are not in that file in this order. "..." skips lines.
 Findings staleDiffs(const std::vector<Source>& pages, const fs::path& folder) {
   Findings findings;
   for (const Source& page : pages) {
@@ -121,37 +120,36 @@ std::string joined(const Findings& findings) {
   return text;
 }
 
-TEST(Docs, EveryRelativeLinkLeadsSomewhere) {
+TEST(Docs, EveryRelativeLinkHasATarget) {
   ASSERT_GT(pages().size(), 20u);
   EXPECT_EQ(joined(brokenLinks(pages(), sourceFolder())), "");
 }
 
-TEST(Docs, ABrokenLinkIsFound) {
+TEST(Docs, BrokenLinksAreFound) {
   auto links = [](const std::string& text) { return brokenLinks({{"docs/x.md", text}}, sourceFolder()).size(); };
   EXPECT_EQ(links("[a](../README.md) [b](https://example.org/x) `[c](none.md)`\n\n    [d](none.md)\n"), 0u);
   EXPECT_EQ(links("[a](README.md)\n[b](none.md) ![c](pictures/none.png)\n"), 2u);
   EXPECT_EQ(links("[a](../README.md#start) [b](../README.md#no-such-heading)\n"), 1u);
 }
 
-TEST(Docs, FilesThatAreNamedAreThere) {
+TEST(Docs, NamedFilesExist) {
   EXPECT_EQ(joined(namedButMissing(pages(), sourceFolder())), "");
   EXPECT_EQ(
       namedButMissing({{"docs/x.md", "`runtime/none.cpp` `runtime/page/page.h` `none/x`"}}, sourceFolder()).size(), 1u);
 }
 
-TEST(Docs, ChangesThatAreShownFitTheFiles) {
+TEST(Docs, ShownChangesMatchTheFiles) {
   EXPECT_EQ(joined(staleDiffs(pages(), sourceFolder())), "");
   std::string page = "```diff\n--- LICENSE\n-no such line\n+more\n```\n-nor this, outside\n";
   EXPECT_EQ(staleDiffs({{"docs/x.md", page}}, sourceFolder()).size(), 1u);
 }
 
-TEST(Docs, TheReadmeIsShort) {
+TEST(Docs, ReadmeIsShort) {
   std::string readme = readText(sourceFolder() / "README.md");
   EXPECT_LE(std::count(readme.begin(), readme.end(), '\n'), 100);
 }
 
-// The index has every page of docs/.
-TEST(Docs, TheIndexHasEveryPage) {
+TEST(Docs, IndexHasEveryPage) {
   std::string index = readText(sourceFolder() / "docs/README.md");
   for (const std::string& name : namesIn(sourceFolder() / "docs", ".md"))
     if (name != "README") EXPECT_NE(index.find("(" + name + ".md"), std::string::npos) << name;

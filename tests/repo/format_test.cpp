@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every C++ file is as clang-format 14 writes it; other versions break lines elsewhere.
+// Every C++ file is formatted by clang-format 14; other versions break lines differently.
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -10,12 +10,12 @@
 namespace strobe::repo {
 namespace format_test {
 
-// Both streams of a shell's line.
+// Output and errors of a shell command.
 std::string shell(const std::string& line) {
   return run({.arguments = {"sh", "-c", line}, .errors = Program::Errors::with_output}).output;
 }
 
-// The program of version 14; "" where there is none.
+// Name of a clang-format of version 14; "" if it is not installed.
 std::string clangFormat() {
   for (const char* name : {"clang-format-14", "clang-format"})
     if (shell(std::string(name) + " --version").find("version 14.") != std::string::npos) return name;
@@ -27,7 +27,7 @@ std::string complaints(const std::string& program, const std::string& files) {
                "' --dry-run -Werror");
 }
 
-TEST(Format, EveryCppFileIsAsClangFormatWritesIt) {
+TEST(Format, EveryCppFileIsFormatted) {
   std::string program = clangFormat();
   if (program.empty()) GTEST_SKIP() << "no clang-format of version 14 (the package clang-format of Debian 12)";
   std::string top = "'" + home().shipped().string() + "'";

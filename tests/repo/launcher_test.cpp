@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The launcher's decisions, with nothing installed and nothing built: its functions read into a shell.
+// Decisions of the launcher, with its functions loaded into a shell: nothing is installed or built.
 #include <gtest/gtest.h>
 
 #include "base/files.h"
@@ -11,10 +11,10 @@ namespace launcher_test {
 
 struct Outcome {
   int code = -1;
-  std::string text;  // of both streams
+  std::string text;  // output and errors
 };
 
-// Runs `script` after the launcher has been read.
+// Runs `script` after loading the launcher.
 Outcome launcher(const std::string& script) {
   std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();  // tests may run side by side
   std::string file = ::testing::TempDir() + "launcher_" + test + ".sh";
@@ -30,7 +30,7 @@ std::string written(const std::string& name, const std::string& text) {
   return file;
 }
 
-TEST(Launcher, AddsASuiteInTheStyleOfAOneLineEntry) {
+TEST(Launcher, AddsASuiteAsAOneLineEntry) {
   std::string file = written("machine.list",
                              "# comment\n"
                              "deb http://mirror/debian trixie main contrib\n"
@@ -40,7 +40,7 @@ TEST(Launcher, AddsASuiteInTheStyleOfAOneLineEntry) {
             "deb [arch=amd64 signed-by=/keys/a.gpg] http://mirror/debian/ new main\n");
 }
 
-TEST(Launcher, AddsASuiteInTheStyleOfAStanza) {
+TEST(Launcher, AddsASuiteAsAStanza) {
   std::string file = written("machine.sources",
                              "# the first\n"
                              "Types: deb\nURIs: http://other/\nSuites: x\nComponents: main\n"
@@ -55,8 +55,8 @@ TEST(Launcher, AddsASuiteInTheStyleOfAStanza) {
             "Types: deb\nURIs: http://other/\nSuites: new\nComponents: main\n");
 }
 
-// A device suffices if it has acceleration structures and one way to trace; two halves in two devices are none.
-TEST(Launcher, KnowsADeviceThatSuffices) {
+// A device suffices if it has acceleration structures and a way to trace; two devices with one half each do not.
+TEST(Launcher, RecognisesASufficientDevice) {
   auto code = [](const std::string& lines) {
     return launcher("vulkaninfo() { printf '" + lines + "'; }; device_suffices").code;
   };
@@ -71,7 +71,7 @@ TEST(Launcher, KnowsADeviceThatSuffices) {
   EXPECT_EQ(launcher("vulkaninfo() { return 1; }; device_suffices").code, 1);
 }
 
-TEST(Launcher, ListsWhatIsNeededWithoutApt) {
+TEST(Launcher, ListsNeededPackagesWithoutApt) {
   Outcome outcome = launcher(
       "command() { [[ $2 != apt-get ]] && builtin command \"$@\"; }; build=/nowhere; packages build; echo went on");
   EXPECT_EQ(outcome.code, 1);
@@ -81,7 +81,7 @@ TEST(Launcher, ListsWhatIsNeededWithoutApt) {
   EXPECT_EQ(outcome.text.find("went on"), std::string::npos) << outcome.text;
 }
 
-// What did not run to its end is no success.
+// A test that did not finish does not count as passed.
 TEST(Launcher, CountsTests) {
   std::string first = written("first.txt", "tests 2\npassed A.B 0.100\nskipped A.C 0.000 no display\n");
   std::string second = written("second.txt", "tests 3\npassed D.E 0.100\nfailed D.F/0 0.100\n");
@@ -109,8 +109,8 @@ TEST(Launcher, InstallsOnlyWhatIsMissingAndOffered) {
             "apt: update\napt: install --no-install-recommends unknown\n");
 }
 
-// Once Mesa is from backports, other binaries of the same sources have to be as well.
-TEST(Launcher, KeepsToBackportsForWhatIsFromThere) {
+// If Mesa is from backports, its other packages must be from backports too.
+TEST(Launcher, PinsPackagesFromBackports) {
   std::string stubs =
       "dpkg-query() { printf 'mesa 25.0.7-2~bpo12+1 installed\\nbash 5.2 installed\\nold 1~bpo12 config-files\\n'; }; "
       "apt_get() { echo \"${@:3}\"; cat \"${2#*=}\"; }; ";
@@ -119,7 +119,7 @@ TEST(Launcher, KeepsToBackportsForWhatIsFromThere) {
             "\nPackage: src:mesa \nPin: release n=*-backports\nPin-Priority: 990\n");
 }
 
-TEST(Launcher, AddsBackportsOnlyWhereTheyAreNeededAndMissing) {
+TEST(Launcher, AddsBackportsOnlyIfNeededAndMissing) {
   std::string stubs =
       "apt_get() { echo \"apt: $*\"; }; as_root() { echo \"root: $*\" >&2; cat >&2; }; say() { :; }; "
       "apt-get() { printf \"$known\"; }; entry_for() { echo \"entry: $*\"; }; ";

@@ -25,7 +25,7 @@ bool isSource(const std::string& path) {
   return isCpp(path) || endsWithAny(path, {".glsl", ".lua", ".cmake", ".py", ".sh"});
 }
 
-// "gpu" of "runtime/gpu/device.cpp"; "" elsewhere.
+// "gpu" for "runtime/gpu/device.cpp"; "" outside `top`.
 std::string folderBelow(const std::string& top, const std::string& path) {
   if (!path.starts_with(top)) return "";
   size_t slash = path.find('/', top.size());
@@ -54,7 +54,7 @@ void forIncludes(const Source& source, Visit visit) {
   });
 }
 
-// Includes in quotation marks name a file of ours, in angle brackets one of the system.
+// Includes in quotation marks name a project file, in angle brackets a system file.
 template <class Visit>
 void forOwnIncludes(const Source& source, Visit visit) {
   static const std::regex include(R"rx(^\s*#\s*include\s*"([^"]+)")rx");
@@ -67,7 +67,7 @@ void forOwnIncludes(const Source& source, Visit visit) {
 std::string whyNot(const std::string& folder, const std::string& header, const Floors& floors) {
   std::string other = header.substr(0, header.find('/'));
   if (header.find('/') == std::string::npos) return fmt::format("'{}' does not say its folder", header);
-  if (other == folder || other == "shared") return "";  // shaders/shared: structures for both languages
+  if (other == folder || other == "shared") return "";  // shaders/shared: structures for C++ and GLSL
   auto target = floors.find(other);
   if (target == floors.end()) return fmt::format("'{}' is in no room", header);
   const Floor& own = floors.at(folder);
@@ -210,7 +210,7 @@ Findings lintHome(const std::vector<Source>& sources) {
 }
 
 Findings lintMachines(const std::vector<Source>& sources) {
-  // Written in pieces, or this file would find itself.
+  // Written in pieces: otherwise the rule would find its own pattern.
   std::string folders = std::string("(^|[^a-z0-9_.])/(wor") + "k|hom" + "e|roo" + "t|User" + "s)/";
   std::string hosts = std::string("debian\\.or") + "g|ubuntu\\.co" + "m";
   return lintPattern(sources, folders + "|" + hosts, "belongs to a machine:", [](const std::string&) { return true; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rules of the house that no compiler checks, over files given as text.
+// Project rules that no compiler checks, applied to files given as text.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ struct Source {
   std::string text;
 };
 
-// Which floor a folder of runtime/ is on, and which lower folders it may still not know.
+// Level of a folder of runtime/, and lower folders that it may not include.
 struct Floor {
   int level = 0;
   std::set<std::string> unknown;
@@ -25,32 +25,32 @@ using Floors = std::map<std::string, Floor>;
 // Reads runtime/floors.txt: "LEVEL FOLDER [not FOLDER...]" per line, '#' comments. Throws `Error` on anything else.
 Floors parseFloors(const std::string& text);
 
-// All files of the project below `top` (no build folders, nothing hidden but .ci), sorted by path.
+// All project files below `top`, without build folders and hidden ones except .ci, sorted by path.
 std::vector<Source> readSources(const std::filesystem::path& top);
 
-// Each returns one line per violation, "path:line: what".
+// Each check returns one line per violation, "path:line: what".
 using Findings = std::vector<std::string>;
 
 // runtime/ includes follow the floors; a shader includes shared/, lib/, mixin/ and its own family.
 Findings lintFloors(const std::vector<Source>& sources, const Floors& floors);
 
-// shaders/lib/ holds functions of their arguments (and of the frame, which every pass has). What uses names that a pass
-// declares is in shaders/mixin/, whose files list them in their second line, those of their includes among them.
+// shaders/lib/ has pure functions of their arguments (and of the frame, which every pass has). Code that uses a pass's
+// declarations is in shaders/mixin/; each file lists the needed names, also of its includes, in its second line.
 Findings lintMixins(const std::vector<Source>& sources);
 
-// Vulkan's header in gpu/ and one file of live/, Lua's in script/.
+// Vulkan's header is included only in gpu/ and one file of live/, Lua's only in script/.
 Findings lintForeignHeaders(const std::vector<Source>& sources);
 
-// A class in a header of runtime/ has at most so many methods, constructors and private ones among them.
+// A class in a header of runtime/ has at most `most` methods, including constructors and private methods.
 Findings lintClasses(const std::vector<Source>& sources, int most);
 
-// Every source says its licence in one of its first two lines.
+// Every source states its licence in its first two lines.
 Findings lintLicences(const std::vector<Source>& sources);
 
-// In runtime/, C++ changes no variable of its own process, and only main() makes a home from the environment.
+// In runtime/, C++ changes no environment variable of its process, and only main() makes a home from the environment.
 Findings lintHome(const std::vector<Source>& sources);
 
-// No path and no host of the machine on which something was written.
+// No text contains paths or host names of a developer's machine.
 Findings lintMachines(const std::vector<Source>& sources);
 
 }  // namespace strobe::repo

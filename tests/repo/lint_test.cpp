@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules of the house hold in the project; and each rule finds a sample that breaks it.
+// The project follows its rules, and each rule finds a sample that breaks it.
 #include "repo/lint.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(Project, IsRead) {
   }
 }
 
-TEST(Project, EveryRoomHasAFloor) {
+TEST(Project, EveryFolderHasAFloor) {
   Floors known = floors();
   for (const auto& entry : std::filesystem::directory_iterator(home().shipped() / "runtime")) {
     if (entry.is_directory()) EXPECT_TRUE(known.count(entry.path().filename().string())) << entry.path();
@@ -42,14 +42,14 @@ TEST(Project, EveryRoomHasAFloor) {
 }
 
 TEST(Project, IncludesFollowTheFloors) { EXPECT_EQ(joined(lintFloors(project(), floors())), ""); }
-TEST(Project, TheHomeIsPassedOn) { EXPECT_EQ(joined(lintHome(project())), ""); }
-TEST(Project, ForeignHeadersStayInTheirRooms) { EXPECT_EQ(joined(lintForeignHeaders(project())), ""); }
-TEST(Project, ShadersSayWhatTheyNeed) { EXPECT_EQ(joined(lintMixins(project())), ""); }
+TEST(Project, HomeIsPassedAsAnArgument) { EXPECT_EQ(joined(lintHome(project())), ""); }
+TEST(Project, ForeignHeadersStayInTheirFolders) { EXPECT_EQ(joined(lintForeignHeaders(project())), ""); }
+TEST(Project, ShadersListTheirNeeds) { EXPECT_EQ(joined(lintMixins(project())), ""); }
 TEST(Project, ClassesAreSmall) { EXPECT_EQ(joined(lintClasses(project(), 30)), ""); }
-TEST(Project, EverySourceSaysItsLicence) { EXPECT_EQ(joined(lintLicences(project())), ""); }
-TEST(Project, NothingBelongsToAMachine) { EXPECT_EQ(joined(lintMachines(project())), ""); }
+TEST(Project, EverySourceStatesItsLicence) { EXPECT_EQ(joined(lintLicences(project())), ""); }
+TEST(Project, NoTextNamesAMachine) { EXPECT_EQ(joined(lintMachines(project())), ""); }
 
-// A rule that finds nothing would pass on any project.
+// A rule that never finds anything would pass on any project.
 TEST(Lint, EachRuleFindsASample) {
   const Floors floors = parseFloors("# comment\n0 base\n1 math\n2 plan not math\n");
   const std::string vulkan = "#include <vulkan/vulkan.h>\n";
@@ -70,7 +70,7 @@ TEST(Lint, EachRuleFindsASample) {
                   "Environment();\n"}}),
        "makes a home instead of taking one"},
       {lintForeignHeaders({{"runtime/plan/a.h", vulkan}}), "runtime/plan/a.h:1"},
-      {lintMixins({{"shaders/lib/a.glsl", "float f() { return params.b; }\n"}}), "is no pure function"},
+      {lintMixins({{"shaders/lib/a.glsl", "float f() { return params.b; }\n"}}), "is not a pure function"},
       {lintMixins({mixin}), "'// Needs: a_tex; may have: b_tex.'"},
       {lintClasses({{"runtime/a/b.h", "class A {\n  A();\n  void b() const;\n  void (*c)(int);\n};\n"}}, 1),
        "A has 2 methods"},

@@ -20,7 +20,7 @@ void forLines(const std::string& text, const Visit& visit) {
   for (int number = 1; std::getline(lines, line); ++number) visit(number, line);
 }
 
-// Every first group of `pattern` in a line.
+// Calls `visit` for the first group of each match of `pattern` in a line.
 void forMatches(const std::string& line, const std::regex& pattern,
                 const std::function<void(const std::string&)>& visit) {
   for (std::sregex_iterator match(line.begin(), line.end(), pattern), end; match != end; ++match)
@@ -40,7 +40,7 @@ std::string roomOf(const std::string& path, const Floors& floors) {
   return room;
 }
 
-// "passes/edge/a.lua" of "passes.edge.a"; "" of a module of the program itself.
+// "passes/edge/a.lua" for "passes.edge.a"; "" for a built-in module.
 std::string fileOf(std::string module) {
   if (module == "strobe.native") return "";
   std::replace(module.begin(), module.end(), '.', '/');
@@ -76,7 +76,7 @@ bool isBreak(char before, char after) {
   return upper && !was_upper;
 }
 
-// "tile max" of "tileMax", "TileMax", "kTileMax_" and "tile_max": the words of an identifier, each with a space around.
+// "tile max" for "tileMax", "TileMax", "kTileMax_" and "tile_max": the words of an identifier, each between spaces.
 std::string wordsOf(const std::string& identifier) {
   std::string words = " ";
   for (size_t i = 0; i < identifier.size(); ++i) {
@@ -203,7 +203,7 @@ Findings lintTechniques(const std::vector<Source>& sources, const TechniqueNames
   return lint.findings();
 }
 
-// A file of shaders/ and all that it includes.
+// Adds a file of shaders/ and all files that it includes.
 static void addWithIncludes(const std::map<std::string, const Source*>& files, const std::string& path,
                             std::set<const Source*>& found) {
   static const std::regex include(R"re(#include "([\w./]+)")re");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lua requires follow their floors, C++ knows no technique; and each rule finds a sample that breaks it.
+// Lua requires follow their floors, C++ names no technique, and each rule finds a sample that breaks it.
 #include "repo/lua_lint.h"
 
 #include <gtest/gtest.h>
@@ -36,9 +36,9 @@ TEST(LuaProject, CppNamesNoTechnique) {
   EXPECT_EQ(joined(lintTechniques(project(), techniques, known)), "");
 }
 
-TEST(LuaProject, WhatIsReadPointwiseIsLookedUpSo) { EXPECT_EQ(joined(lintPointwise(project())), ""); }
+TEST(LuaProject, PointwiseReadsAreFetchedPointwise) { EXPECT_EQ(joined(lintPointwise(project())), ""); }
 
-// A rule that finds nothing would pass on any project.
+// A rule that never finds anything would pass on any project.
 TEST(LuaLint, EachRuleFindsASample) {
   const Source pass{"passes/list/a.lua", "reads = { seen = { pointwise = true, doc = \"x\" } }\n"};
   EXPECT_EQ(joined(lintPointwise({pass, {"shaders/list/a.glsl", "seen_at(pixel);\nvec4 a = seen_at(other);\n"}})),

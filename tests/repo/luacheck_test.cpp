@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every Lua file passes luacheck as .luacheckrc has it.
+// Every Lua file passes luacheck with the settings of .luacheckrc.
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -13,7 +13,7 @@ std::string outputOf(const std::string& line) {
   return run({.arguments = {"sh", "-c", line}, .errors = Program::Errors::with_output}).output;
 }
 
-// From the top, where .luacheckrc names files.
+// Runs luacheck in the project's top folder, where .luacheckrc names files.
 std::string complaints(const std::string& paths) {
   return outputOf(fmt::format("cd '{}' && luacheck --no-color --formatter plain {}", sourceFolder().string(), paths));
 }

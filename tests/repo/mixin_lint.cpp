@@ -9,8 +9,8 @@
 namespace strobe::repo {
 namespace {
 
-// Names that a pass has to declare, as GLSL spells them, and those it may declare. Of the scene's arrays "scene" alone,
-// of what only a pass that traces has "rays".
+// GLSL names that a pass must declare, and names that it may declare. The scene's arrays count as "scene", names of
+// tracing passes as "rays".
 struct Needs {
   std::set<std::string> needed, optional;
 
@@ -23,7 +23,7 @@ struct Needs {
 
 std::string withoutComment(const std::string& line) { return line.substr(0, line.find("//")); }
 
-// The name that a match of `pattern` below needs; `text` tells the buffers.
+// The needed name in a match of `pattern` below; `text` decides whether it is a buffer.
 std::string nameOf(const std::smatch& match, const std::string& text) {
   std::string name = match.str();
   if (name.starts_with("HAS_")) {
@@ -35,7 +35,7 @@ std::string nameOf(const std::smatch& match, const std::string& text) {
   return name.starts_with("scene_") ? "scene" : name;
 }
 
-// Names of a text without what it includes. What stands behind `#if HAS_x` or `#if defined(PARAM_x)` is optional.
+// Needs of a text without its includes. Names in `#if HAS_x` or `#if defined(PARAM_x)` are optional.
 Needs ownNeeds(const std::string& text) {
   static const std::regex pattern(R"(params\.\w+|\b(PARAM|HAS|scene|count)_\w+|\b\w+_(tex|at|img|out|buf)\b)");
   static const std::regex opens(R"(^\s*#\s*if)"), closes(R"(^\s*#\s*endif)"), asks(R"(HAS_|defined\(PARAM_)");
@@ -57,7 +57,7 @@ Needs ownNeeds(const std::string& text) {
 
 using Texts = std::map<std::string, std::string>;  // by path below shaders/
 
-// What a file needs, and all it includes.
+// Needs of a file and all its includes.
 Needs needsOf(const std::string& file, const Texts& texts, std::set<std::string>& seen) {
   Needs needs;
   auto found = texts.find(file);
@@ -78,7 +78,7 @@ std::set<std::string> listed(const std::string& names) {
   return set;
 }
 
-// The line behind the licence: "// Needs: a_tex, params.b; may have: PARAM_c.", on several lines where it is long.
+// The line after the licence: "// Needs: a_tex, params.b; may have: PARAM_c.", possibly on several lines.
 Needs statedNeeds(const std::string& text) {
   static const std::regex form(R"(^[^\n]*\n// Needs: ([^;:]*?)(;\s+(//\s+)?may have:([^;:]*?))?\.\n(?!//   ))");
   std::smatch match;
@@ -105,7 +105,7 @@ Findings lintMixins(const std::vector<Source>& sources) {
     std::set<std::string> seen;
     Needs needs = needsOf(file, texts, seen);
     if (!mixin && !needs.empty())
-      findings.push_back(fmt::format("shaders/{}: is no pure function, but has '{}'", file, textOf(needs)));
+      findings.push_back(fmt::format("shaders/{}: is not a pure function, but has '{}'", file, textOf(needs)));
     if (!mixin) continue;
     Needs stated = statedNeeds(text);
     if (needs.empty()) findings.push_back(fmt::format("shaders/{}: needs nothing: belongs to lib/", file));

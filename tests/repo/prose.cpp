@@ -50,7 +50,7 @@ const std::vector<Pattern>& patterns() {
   return table;
 }
 
-// Quotations and code are the words of others: each becomes "''".
+// Quotations and code are not the author's prose: each becomes "''".
 std::string withoutQuotations(const std::string& text) {
   static const std::vector<std::pair<std::string, std::string>> marks = {{"`", "`"}, {"\"", "\""}, {"“", "”"}};
   std::string plain;
@@ -87,7 +87,7 @@ bool isGenerated(const std::string& path) {
          path == "tools/mutate/mutations.md" || path == "CHANGELOG.md";
 }
 
-// Removes accepted sentences from texts, and remembers which it met.
+// Removes accepted sentences from texts, and records which were found.
 class Acceptance {
  public:
   explicit Acceptance(const std::vector<AcceptedSentence>& sentences) : sentences_(sentences) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sentences that readers have to read twice, found by patterns. A match marks a place to edit, it is not a proof.
+// Sentences that readers have to read twice, found by patterns. A match is a place to edit, not a proof.
 #pragma once
 
 #include <map>
@@ -10,11 +10,11 @@
 
 namespace strobe::repo {
 
-// Reasons why a reader may stop, in the order of the pattern table; empty for a plain text. Quotations and code in
+// Reasons why a reader may stop, in the order of the pattern table; empty for plain text. Quotations and code in
 // backticks are not tested.
 std::vector<std::string> proseReasons(const std::string& text);
 
-// A sentence that is flagged and stays.
+// A flagged sentence that stays.
 struct AcceptedSentence {
   std::string path, text;
   int line = 0;  // in the list

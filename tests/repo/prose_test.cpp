@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Folders have few sentences that readers have to read twice; each pattern finds a sample of its own.
+// Every folder has few sentences that readers have to read twice; each pattern finds its sample.
 #include "repo/prose.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ ProseReport projectProse() {
   return checkProse(readSources(sourceFolder()), parseAcceptedSentences(accepted));
 }
 
-TEST(ProseProject, FoldersAreReadableAtOnce) {
+TEST(ProseProject, FoldersAreReadable) {
   ProseReport report = projectProse();
   for (const auto& [name, folder] : report.folders)
     if (folder.units) std::fputs(summaryOf(name, folder).c_str(), stdout);
@@ -49,7 +49,7 @@ TEST(ProseProject, FoldersAreReadableAtOnce) {
   EXPECT_EQ(linesOf(report.unused), "");
 }
 
-// A pattern that finds nothing would pass on any project. The samples are in a raw literal, which has no text units, so
+// A pattern that never matches would pass on any project. The samples are in a raw literal, which has no text units, so
 // they do not count as sentences of this folder.
 TEST(Prose, EachPatternFindsASample) {
   std::istringstream samples(R"(starts with a relative clause | What passes read.

@@ -14,7 +14,7 @@ namespace strobe::repo {
 
 struct Outcome {
   int code = -1;
-  std::string text;  // of both streams
+  std::string text;  // output and errors
 };
 
 inline Outcome reproduce(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every measured number of the pages has a mark with a claim behind it, and one that was changed by hand is caught:
-// tools/reproduce, from outside.
+// tools/reproduce: every measured number of the pages has a mark with a claim, and an edited number is found.
 #include "repo/reproduce.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +21,7 @@ class Reproduce : public ReproduceTest {
  protected:
   void TearDown() override { fs::remove_all(copy_); }
 
-  // The pages and what they name, to be changed.
+  // Copies the pages and the files they name, so that tests can change them.
   void copyPages() {
     copy_ = fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(copy_);
@@ -39,7 +38,7 @@ class Reproduce : public ReproduceTest {
     writeFileAtomically(copy_ / page, text.replace(at, what.size(), by));
   }
   Outcome marks() { return reproduce({"--marks", "--root", copy_.string()}); }
-  // One that reads committed results and starts no device.
+  // A claim that reads committed results and starts no device.
   Outcome claim(const std::string& more = "--smoke") {
     return reproduce(
         {"--smoke", "--only", "readme_real_scenes", "--root", copy_.string(), "-o", (copy_ / "out").string(), more});
@@ -54,7 +53,7 @@ TEST_F(Reproduce, EveryMeasuredNumberHasAMark) {
   EXPECT_EQ(outcome.text, "every measured number has a mark, every mark a claim\n");
 }
 
-TEST_F(Reproduce, ANumberWithoutAMarkIsFound) {
+TEST_F(Reproduce, NumberWithoutAMarkIsFound) {
   copyPages();
   for (const char* text : {"It takes 3.7 ms.", "It takes 37 ms.", "37 of 40 hold.", "| a |\n|---|\n| **37** |"}) {
     std::string page = readText(sourceFolder() / "docs/projects.md");
@@ -69,7 +68,7 @@ TEST_F(Reproduce, ANumberWithoutAMarkIsFound) {
   EXPECT_EQ(marks().code, 0) << marks().text;
 }
 
-TEST_F(Reproduce, MarksAreWhole) {
+TEST_F(Reproduce, IncompleteMarksAreFound) {
   copyPages();
   std::string page = readText(sourceFolder() / "docs/projects.md");
   auto found = [&](const std::string& text) {
@@ -85,7 +84,7 @@ TEST_F(Reproduce, MarksAreWhole) {
   EXPECT_TRUE(contains(found("A <!--= frame_time -->3.7<!--/--> b."), "'frame_time' is marked twice"));
 }
 
-TEST_F(Reproduce, WhatIsListedIsThere) {
+TEST_F(Reproduce, ListedTextsAndPicturesExist) {
   copyPages();
   replace("README.md", "<!--= readme_frame_time -->", "");
   replace("docs/glossary.md", "0.5 is a shutter of 180 degrees", "a shutter");
@@ -96,7 +95,7 @@ TEST_F(Reproduce, WhatIsListedIsThere) {
   EXPECT_TRUE(contains(text, "docs/pictures/another.png: no claim of tools/reproduce/claims.py makes it")) << text;
 }
 
-TEST_F(Reproduce, ANumberChangedByHandIsCaught) {
+TEST_F(Reproduce, EditedNumberIsFound) {
   copyPages();
   Outcome before = claim();
   EXPECT_EQ(before.code, 0) << before.text;
@@ -108,16 +107,16 @@ TEST_F(Reproduce, ANumberChangedByHandIsCaught) {
   EXPECT_TRUE(contains(after.text, ": .0085 is 0.0092")) << after.text;
 }
 
-TEST_F(Reproduce, NumbersMadeAgainReplaceTheStated) {
+TEST_F(Reproduce, ReplaceWritesTheNewNumbers) {
   copyPages();
   const std::string page = readText(copy_ / "README.md");
   replace("README.md", "**.0092**", "**.9999**");
-  EXPECT_EQ(claim("--replace").code, 1) << "the verdict is that of the stated numbers";
+  EXPECT_EQ(claim("--replace").code, 1) << "the verdict is about the numbers stated before";
   EXPECT_EQ(readText(copy_ / "README.md"), page);
   EXPECT_EQ(claim().code, 0);
 }
 
-TEST_F(Reproduce, TheTablesOfClaimsAreThoseOfTheClaims) {
+TEST_F(Reproduce, TablesOfClaimsMatchTheClaims) {
   copyPages();
   const std::string page = readText(copy_ / "ARTIFACT.md");
   replace("ARTIFACT.md", "| `figure1` |", "| `figure_one` |");
@@ -128,7 +127,7 @@ TEST_F(Reproduce, TheTablesOfClaimsAreThoseOfTheClaims) {
   EXPECT_EQ(readText(copy_ / "ARTIFACT.md"), page);
 }
 
-TEST_F(Reproduce, SmokeTakesTenMinutesAtMostAndHasClaimsOfEachKind) {
+TEST_F(Reproduce, SmokeTakesAtMostTenMinutesAndHasAllKinds) {
   std::smatch parts;
   const std::string text = reproduce({"--list", "--smoke"}).text;
   const std::regex counts(
@@ -140,7 +139,7 @@ TEST_F(Reproduce, SmokeTakesTenMinutesAtMostAndHasClaimsOfEachKind) {
   EXPECT_TRUE(contains(text, "curves.lua -o FOLDER --only shot=pendulum")) << text;
 }
 
-TEST_F(Reproduce, SmokeCountsTheClaimsThatItDoesNotTouch) {
+TEST_F(Reproduce, SmokeCountsUntouchedClaims) {
   copyPages();
   const std::string text = claim().text;
   EXPECT_TRUE(contains(text, "\ntouched 1 claims: numbers 1\nnot touched ")) << text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Published numbers and pictures are those of the scripts, shaders and scenes in this repository; `--stale` of
-// tools/reproduce names exactly the results that depend on a changed file.
+// Published numbers and pictures match the scripts, shaders and scenes of this repository; `--stale` of tools/reproduce
+// names exactly the results that depend on a changed file.
 #include <filesystem>
 #include <map>
 #include <set>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 using Stale = ReproduceTest;
 
-// Results that are still to be measured.
+// Results that still have to be measured again.
 std::set<std::string> knownStale() {
   std::istringstream lines(readText(sourceFolder() / "tools/reproduce/known_stale.txt"));
   std::set<std::string> names;
@@ -27,7 +27,7 @@ std::set<std::string> knownStale() {
   return names;
 }
 
-TEST_F(Stale, NoPublishedNumberOrPicture) {
+TEST_F(Stale, HasNoPublishedNumberOrPicture) {
   Outcome outcome = reproduce({"--stale", "--json"});
   ASSERT_TRUE(outcome.code == 0 || outcome.code == 1) << outcome.text;
   std::set<std::string> known = knownStale(), stale;
@@ -80,12 +80,12 @@ class StaleTree : public ReproduceTest {
   testing::TemporaryFolder folder_;
 };
 
-TEST_F(StaleTree, NothingChanged) {
+TEST_F(StaleTree, UnchangedTreeIsNotStale) {
   EXPECT_EQ(stale().text, "no input of a result or a picture changed\n");
   EXPECT_EQ(stale().code, 0);
 }
 
-TEST_F(StaleTree, AConstantOfAShaderNamesTheResultsThatDependOnIt) {
+TEST_F(StaleTree, ChangedShaderNamesItsResults) {
   write("shaders/a.glsl", "#include \"common.glsl\"\nfloat a() { return 1.5 * kHalf; }\n");
   Outcome outcome = stale();
   EXPECT_EQ(outcome.code, 1);
@@ -106,7 +106,7 @@ TEST_F(StaleTree, CommentsAndHelpTextsChangeNothing) {
   write("scripts/s.lua", "--[[ Two\nlines. ]]\nreturn { doc = \"edited\", name = \"--8\" }\n");
   EXPECT_EQ(stale().text, "no input of a result or a picture changed\n");
   write("scripts/s.lua", "return { doc = \"edited\", name = \"--9\" }\n");
-  EXPECT_EQ(stale().text, "experiments/peers/result.json: scripts/s.lua\n") << "a string is no comment";
+  EXPECT_EQ(stale().text, "experiments/peers/result.json: scripts/s.lua\n") << "a string is not a comment";
 }
 
 TEST_F(StaleTree, RemovedFilesAndMissingRecordsAreNamed) {
@@ -122,14 +122,14 @@ TEST_F(StaleTree, PrefixesNameTheFolderOfAnInput) {
   Json inputs = {{"project:passes/p.lua", inputHash(file("experiments/peers/passes/p.lua"))},
                  {"shared:scenes/s.glb", "the hash of another scene"}};
   write("experiments/peers/result.json", Json{{"inputs", inputs}}.dump());
-  EXPECT_EQ(stale().code, 0) << "without shared data its files are not compared";
+  EXPECT_EQ(stale().code, 0) << "without shared data, files of shared data are not compared";
   write("data/scenes/s.glb", "scene");
   write("experiments/peers/passes/p.lua", "return 2\n");
   EXPECT_EQ(stale().text, "experiments/peers/result.json: project:passes/p.lua, shared:scenes/s.glb\n");
 }
 
-// The program and the tool compute the same hash of every file that ships.
-TEST_F(StaleTree, HashesAreThoseOfTheProgram) {
+// The program and the tool compute the same hash for every shipped file.
+TEST_F(StaleTree, HashesMatchTheProgram) {
   Json inputs = Json::object();
   for (const char* part : {"passes", "shaders", "scripts", "experiments"})
     for (const auto& entry : fs::recursive_directory_iterator(sourceFolder() / part)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools/sweep_model.py: the simulation agrees with the model on paper (docs/labs.md).
+// The simulation of tools/sweep_model.py agrees with the model in docs/labs.md.
 #include <gtest/gtest.h>
 
 #include "base/files.h"
@@ -9,7 +9,7 @@
 namespace strobe::repo {
 namespace sweep_model_test {
 
-TEST(SweepModel, SimulationAgreesWithThePaper) {
+TEST(SweepModel, SimulationAgreesWithTheModel) {
   const std::string tool = (sourceFolder() / "tools/sweep_model.py").string();
   ProgramEnd end = run({.arguments = {"python3", "-B", tool, "--points", "2000", "--workers", "20", "--stagger", "1"}});
   if (end.code() == 127) GTEST_SKIP() << "no python3";
@@ -20,8 +20,8 @@ TEST(SweepModel, SimulationAgreesWithThePaper) {
       << end.output;
 }
 
-// The page quotes the numbers of the default.
-TEST(SweepModel, ThePageHasItsNumbers) {
+// The page quotes the numbers of the default settings.
+TEST(SweepModel, PageHasItsNumbers) {
   const std::string tool = (sourceFolder() / "tools/sweep_model.py").string();
   ProgramEnd end = run({.arguments = {"python3", "-B", tool}});
   if (end.code() == 127) GTEST_SKIP() << "no python3";

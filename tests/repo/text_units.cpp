@@ -41,7 +41,7 @@ std::string withSingleSpaces(const std::string& text) {
 
 bool isShort(const TextUnit& unit) { return std::count(unit.text.begin(), unit.text.end(), ' ') < 3; }
 
-// True of literals with source code, markup or a regular expression.
+// True if a literal has source code, markup or a regular expression.
 bool isCode(const std::string& literal) {
   static const std::regex code(R"([{};]\n|void |#include|<svg|</|\\)");
   return std::regex_search(literal, code);
@@ -104,7 +104,7 @@ class CodeReader {
     advanceTo(end);
   }
 
-  // Continues the comment of the line above if that has no code before it either, or starts in the same column.
+  // Continues the comment of the line above if neither line has code before it, or both comments start in one column.
   void addComment(const std::string& text) {
     Place place = here();
     bool continues = place.is_alone && comment_.line + 1 == line_;
@@ -125,7 +125,7 @@ class CodeReader {
     advanceTo(end + syntax_.block_close.size());
   }
 
-  // Up to the closing quotation mark, or to the end of the line.
+  // Reads up to the closing quotation mark or the end of the line.
   void readLiteral(char quote) {
     std::string literal;
     size_t end = at_ + 1;
@@ -137,7 +137,7 @@ class CodeReader {
     advanceTo(text_[end] == '\n' ? end : end + 1);
   }
 
-  // A literal of several lines is code.
+  // A literal of several lines counts as code.
   void readRawLiteral() {
     size_t open = text_.find('(', at_);
     std::string close = ")" + text_.substr(at_ + 2, open - at_ - 2) + "\"";
@@ -179,7 +179,7 @@ class MarkdownReader {
   std::vector<TextUnit> units() { return units_; }
 
  private:
-  // Keeps line breaks.
+  // Removes HTML comments and keeps line breaks.
   static std::string withoutHtmlComments(std::string text) {
     for (size_t from = 0; (from = text.find("<!--", from)) != std::string::npos;) {
       size_t end = std::min(text.find("-->", from), text.size() - 3) + 3;

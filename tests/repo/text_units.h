@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sentences of the repository, taken out of code and Markdown.
+// Sentences of the repository, extracted from code and Markdown.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every public type has a comment and a name of its own, and docs/types.md lists it.
+// Every public type has a comment and a unique name, and docs/types.md lists it.
 #include <gtest/gtest.h>
 
 #include "base/files.h"
@@ -9,7 +9,7 @@
 namespace strobe::repo {
 namespace types_test {
 
-TEST(Types, ThePageListsEachTypeWithItsSentence) {
+TEST(Types, PageListsEachTypeWithItsSentence) {
   if (run({.arguments = {"sh", "-c", "command -v python3"}}).code() != 0) GTEST_SKIP() << "no python3";
   ProgramEnd end = run({.arguments = {"python3", "-B", (sourceFolder() / "tools/types").string()}});
   EXPECT_EQ(end.code(), 0) << "python3 tools/types names the faults";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF files at nodes of a scene described in Lua, and images as its textures.
+// glTF files at nodes of a scene described in Lua, and images as textures.
 #include <cmath>
 
 #include "common/refusal.h"
@@ -21,7 +21,7 @@ class Attached : public Gltf {
   void SetUp() override {
     writeQuickly(folder_ / "textures/two.png", {reinterpret_cast<const char*>(kPng.data()), kPng.size()});
   }
-  // A triangle "blade" under "hub", which a clip "spin" moves by x 1 within a second; a camera and a light.
+  // A triangle "blade" under "hub", which clip "spin" moves by x = 1 in a second; a camera and a light.
   static Json fan() {
     Asset asset = triangle();
     asset.json["nodes"] = Json::parse(R"([{"name":"blade","mesh":0},{"name":"hub","children":[0]},
@@ -48,7 +48,7 @@ class Attached : public Gltf {
     }
     return asset.whole();
   }
-  // A scene of these nodes, as the Lua constructors give them, and a camera "eye" at the end.
+  // A scene of these nodes, in the form of the Lua constructors, with a camera "eye" at the end.
   Scene build(const std::string& nodes, const std::string& more = "") {
     writeQuickly(folder_ / "textures/fan.gltf", fan().dump());
     return sceneFromJson(Json::parse(R"({"kind":"scene","nodes":[)" + nodes +
@@ -68,14 +68,14 @@ class Attached : public Gltf {
   }
 };
 
-TEST_F(Attached, AFileStandsAtItsNodeWithItsNames) {
+TEST_F(Attached, FileIsAtItsNodeWithItsNames) {
   const Scene scene = build(at("fan"));
   EXPECT_EQ(placeOf(scene, "fan", 0), dvec3(10, 0, 0));
-  EXPECT_EQ(placeOf(scene, "fan/blade", 0.5), dvec3(11, 1, 0));  // half of (1, 1), twice as large
+  EXPECT_EQ(placeOf(scene, "fan/blade", 0.5), dvec3(11, 1, 0));  // half of (1, 1), at twice the size
   EXPECT_EQ(instancesOf(scene).size(), 1u);
   EXPECT_EQ(scene.animations.at(0).name, "fan/spin");
   EXPECT_EQ(scene.lights.at(0).name, "fan/bulb");
-  EXPECT_EQ(cameraNode(scene, ""), nodeByName(scene, "eye")) << "the first camera is the scene's own";
+  EXPECT_EQ(cameraNode(scene, ""), nodeByName(scene, "eye")) << "the scene's camera comes first";
   EXPECT_EQ(cameraNode(scene, "fan/view"), nodeByName(scene, "fan/view"));
   EXPECT_EQ(scene.warnings, std::vector<std::string>{"fan: extension KHR_other is ignored"});
   EXPECT_EQ(scene.attribution["copyright"], "CC0 someone");
@@ -95,13 +95,13 @@ TEST_F(Attached, EqualFilesAreLoadedOnce) {
   EXPECT_EQ(placeOf(two, "b/blade", 0.5), dvec3(11, 1, 0));
 }
 
-TEST_F(Attached, ItsClipsAreChosen) {
+TEST_F(Attached, ClipsAreChosen) {
   EXPECT_EQ(build(at("fan", R"(,"animation":"none")")).animations.size(), 0u);
   const Scene shaken = build(at("fan", R"(,"animation":"shake")"));
   ASSERT_EQ(shaken.animations.size(), 1u);
   EXPECT_EQ(placeOf(shaken, "fan/hub", 1), dvec3(10, 2, 0));
   const Scene all = build(at("fan"));
-  EXPECT_EQ(all.animations.at(1).yields_to, 0) << "of clips that drive one target the first plays";
+  EXPECT_EQ(all.animations.at(1).yields_to, 0) << "the first of several clips of one target plays";
 }
 
 TEST_F(Attached, TracksOfTheSceneDriveItsNodes) {
@@ -124,7 +124,7 @@ TEST_F(Attached, MistakesNameThePlaceAndTheFile) {
   expect(mistake(R"({"kind":"node","name":"a","gltf":"textures/fan.gltf"})"), "write scene.gltf { ... }");
 }
 
-TEST_F(Attached, FilesLieInTheFolderUnlessAllowed) {
+TEST_F(Attached, FilesMustBeInTheFolderUnlessAllowed) {
   const Json scene = Json::parse(R"({"kind":"scene","nodes":[)" + at("fan", "", "../textures/fan.gltf") + "]}");
   build(at("fan"));
   std::filesystem::create_directories(folder_ / "scenes");
@@ -147,7 +147,7 @@ TEST_F(Attached, ImagesAreTextures) {
   EXPECT_EQ(color.format, Texture::Format::Rgba8Srgb);
   EXPECT_EQ(color.wrap_u, Texture::Wrap::Clamp);
   ASSERT_EQ(color.levels.size(), 2u);
-  // The mean of 0 and 255 in linear light is sRGB 188, of numbers 128.
+  // The mean of 0 and 255 in linear light is sRGB 188; the mean of the numbers is 128.
   EXPECT_EQ(color.levels[1][0], 188);
   const Texture numbers = build(quad("textures/two.png", "normal_texture")).textures.at(0);
   EXPECT_EQ(numbers.format, Texture::Format::Rgba8Unorm);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clips that drive one target, names that a file repeats, and the front of what joints move, in files and in Lua.
+// Clips that drive one target, repeated names in a file, and front faces of skinned meshes, in files and in Lua.
 #include "scene/clips.h"
 
 #include <cmath>
@@ -13,9 +13,9 @@
 namespace strobe::scene {
 namespace clips_test {
 
-// ---- clips of one target
+// ---- Clips of one target
 
-// A triangle, a camera, and for each pair of a name and a target a clip that takes one second.
+// A triangle, a camera, and a clip of one second for each pair of a name and a target.
 struct Clips {
   Asset asset = triangle();
   int times;
@@ -39,7 +39,7 @@ dvec3 placeAt(const Scene& scene, double time_s, const std::string& animation = 
   return dvec3(Poser(scene, -1, animation).nodesAt(time_s, time_s).at(0)[3]);
 }
 
-TEST_F(Gltf, OfClipsThatDriveOneTargetTheFirstPlays) {
+TEST_F(Gltf, FirstClipOfATargetPlays) {
   const std::vector<float> in_x = {0, 0, 0, 1, 0, 0}, in_y = {0, 0, 0, 0, 1, 0};
   const Scene walk_run = load(Clips()
                                   .clip("walk", "translation", in_x)
@@ -48,15 +48,15 @@ TEST_F(Gltf, OfClipsThatDriveOneTargetTheFirstPlays) {
                                   .whole());
   EXPECT_EQ(placeAt(walk_run, 0.5), dvec3(0.5, 0, 0));
   EXPECT_EQ(placeAt(walk_run, 0.5, "run"), dvec3(0, 0.5, 0));
-  EXPECT_EQ(clipsOf(walk_run, "all").size(), 2u) << "what drives another target plays along";
+  EXPECT_EQ(clipsOf(walk_run, "all").size(), 2u) << "a clip with another target plays too";
   EXPECT_EQ(walk_run.animations[1].yields_to, 0);
   EXPECT_EQ(walk_run.animations[1].shared_target, "translation of node 'node_0'");
   const Scene run_walk = load(Clips().clip("run", "translation", in_y).clip("walk", "translation", in_x).whole());
   EXPECT_EQ(placeAt(run_walk, 0.5), dvec3(0, 0.5, 0));
 }
 
-// A clip that does not play leaves its targets to others.
-TEST(Clips, OnlyClipsThatPlayHoldTargets) {
+// A clip that does not play does not block its targets.
+TEST(Clips, OnlyPlayingClipsBlockTargets) {
   Scene scene;
   scene.nodes.resize(3);
   auto clip = [&](std::initializer_list<int> nodes) {
@@ -95,9 +95,9 @@ TEST(Clips, OneAnimationDrivesATargetOnce) {
   EXPECT_EQ(failure(animation("x", kTrack) + "," + animation("y", kTrack)), "");
 }
 
-// ---- names
+// ---- Names
 
-TEST_F(Gltf, NamesThatAFileHasOnceStay) {
+TEST_F(Gltf, UniqueNamesAreUnchanged) {
   Asset asset = triangle();
   auto namesOf = [&](const std::vector<const char*>& names) {
     asset.json["nodes"] = Json::array();
@@ -114,16 +114,16 @@ TEST_F(Gltf, NamesThatAFileHasOnceStay) {
   EXPECT_EQ(namesOf({"", "node_0", ""}), (Names{"node_0#2", "node_0", "node_2"}));
 }
 
-TEST_F(Gltf, AClipIsNotCalledAsTheChoiceOfAll) {
+TEST_F(Gltf, ClipsNamedLikeChoicesAreRenamed) {
   const Scene scene =
       load(Clips().clip("all", "translation", {0, 0, 0, 1, 0, 0}).clip("none", "scale", {1, 1, 1, 1, 1, 1}).whole());
   EXPECT_EQ(scene.animations[0].name, "all#2");
   EXPECT_EQ(scene.animations[1].name, "none#2");
 }
 
-// ---- fronts
+// ---- Front faces
 
-// A triangle that follows joint 1 or, `both`, two joints; the scale of a node is keyed from (1, 1, 1) to (-1, 1, 1).
+// A triangle with one joint or, if `both`, two joints; a node's scale is keyed from (1, 1, 1) to (-1, 1, 1).
 Json keyedMirror(bool both, int keyed_node) {
   Clips clips;
   Asset& asset = clips.asset;
@@ -140,9 +140,8 @@ Json keyedMirror(bool both, int keyed_node) {
   return asset.whole();
 }
 
-// The front turns round with the determinant of the node that shows the skin, at the time; joints say where corners
-// are.
-TEST_F(Gltf, TheFrontOfASkinFollowsTheNodeAtEachTime) {
+// The sign of the determinant of the skin's node at that time decides the front face; joints decide the positions.
+TEST_F(Gltf, FrontOfASkinFollowsItsNodeAtEachTime) {
   for (bool both : {false, true})
     for (int keyed_node : {0, 1}) {
       const Scene scene = load(keyedMirror(both, keyed_node));

@@ -10,8 +10,7 @@
 namespace strobe::scene {
 namespace depth_bounds_test {
 
-// A ball that is 4 m before the camera and goes to the right, and a wall 10 m before it; the camera turns and goes
-// ahead.
+// A ball 4 m in front of the camera that moves right, and a wall at 10 m; the camera rotates and moves forward.
 Scene sceneOf() {
   return sceneFromJson(Json::parse(R"({"kind":"scene","name":"s","nodes":[
     {"kind":"node","name":"ball","position":[0,0,-4],"shape":{"kind":"shape","type":"sphere","segments":8},
@@ -32,7 +31,7 @@ double apart(const dmat4& a, const dmat4& b) {
   return most;
 }
 
-TEST(DepthBounds, Text) {
+TEST(DepthBounds, TextIsChecked) {
   for (const char* wrong : {"", "1", "1,2,3,4", "2,1", "-1,2", "1,2,-1", "a,b", "nan,2", "inf,inf", "1,2,inf", "1;2"})
     EXPECT_THROW(DepthBounds::from(wrong), Error) << wrong;
   EXPECT_EQ(DepthBounds::from("1,inf").shareAt(1e30), 1);
@@ -52,7 +51,7 @@ TEST(DepthBounds, SharesFallSmoothly) {
   EXPECT_EQ(soft.shareAt(-3), 0);
 }
 
-TEST(DepthBounds, WhatIsElsewhereStandsStillBeforeTheCamera) {
+TEST(DepthBounds, ObjectsOutsideAreStaticToTheCamera) {
   const Scene scene = sceneOf();
   Poser poser(scene, cameraNode(scene, ""));
   auto pose_at = [&](double time_s) { return poser.at(time_s); };

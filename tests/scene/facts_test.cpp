@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facts of a frame on scenes of a node or two: what they are is plain from how the scene is made.
+// Facts of frames of scenes with one or two nodes: the construction of each scene shows the expected facts.
 #include "scene/facts.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace facts_test {
 
 constexpr double kFrame = 1.0 / 24;
 
-// A triangle at node 0, a light, and a camera in the last node.
+// A triangle at node 0, a light, and a camera at the last node.
 Scene still() {
   Scene scene;
   scene.name = "test";
@@ -25,7 +25,7 @@ Scene still() {
   return scene;
 }
 
-// The capture at `frame`, an exposure of half a frame before it.
+// Raster time at `frame`, with an exposure of half a frame interval that ends there.
 FrameView viewAt(double frame) {
   FrameView view;
   view.raster_s = view.close_s = frame * kFrame;
@@ -60,7 +60,7 @@ Scene spun(int node, double turns_per_frame) {
   return scene;
 }
 
-TEST(Facts, NothingMovesWhereNothingIsDriven) {
+TEST(Facts, NothingMovesWithoutAnimation) {
   Facts facts = factsOf(still(), viewAt(1));
   EXPECT_FALSE(facts.motion);
   EXPECT_FALSE(facts.camera_moves);
@@ -76,52 +76,52 @@ TEST(Facts, NamesTheInstancesThatMove) {
   EXPECT_EQ(factsOf(scene, viewAt(1)).moves, expected);
 }
 
-TEST(Facts, AClipThatReturnsMoves) {
-  // At rest at the capture, at the opening, and a frame before: only between them it is elsewhere.
+TEST(Facts, ClipThatReturnsMoves) {
+  // The poses at the raster time, shutter open and the previous frame are equal: the node only moves in between.
   EXPECT_TRUE(moves(animated({0, 0.25, 0.5, 0.75, 1}, {0, 1, 0, 1, 0})));
   EXPECT_TRUE(moves(animated({0, 0.5, 1, 2}, {0, 1, 0, 0})));
 }
 
-TEST(Facts, AClipAsLongAsAFrameMoves) {
+TEST(Facts, ClipAsLongAsAFrameMoves) {
   Scene scene = animated({0, 0.5, 1}, {0, 1, 0});
   for (double frame : {1.0, 2.0, 3.0, 7.0}) EXPECT_TRUE(moves(scene, frame)) << frame;
 }
 
-TEST(Facts, AFullTurnMoves) {
+TEST(Facts, FullTurnMoves) {
   for (double turns : {1.0, 2.0, 0.25, 1e-9}) EXPECT_TRUE(moves(spun(0, turns))) << turns;
   EXPECT_FALSE(moves(spun(0, 0)));
 }
 
-TEST(Facts, OutsideOfItsKeysAClipRests) {
+TEST(Facts, ClipIsStaticOutsideItsKeys) {
   Scene scene = animated({10, 12}, {0, 1});
   EXPECT_FALSE(moves(scene, 5));
   EXPECT_FALSE(moves(scene, 10));
   EXPECT_TRUE(moves(scene, 10.25));
   EXPECT_TRUE(moves(scene, 12));
-  // Past its end it begins again: before its first key.
+  // After its end the clip starts again, before its first key.
   EXPECT_TRUE(moves(scene, 12.5));
   EXPECT_FALSE(moves(scene, 18));
 }
 
-TEST(Facts, BetweenEqualKeysAClipRests) {
+TEST(Facts, ClipIsStaticBetweenEqualKeys) {
   Scene scene = animated({0, 2, 4, 6}, {0, 1, 1, 2});
   EXPECT_FALSE(moves(scene, 3.5));
   EXPECT_TRUE(moves(scene, 2.5));
   EXPECT_TRUE(moves(scene, 4.5));
 }
 
-TEST(Facts, JumpsAreNoMotionOfAFrame) { EXPECT_FALSE(moves(animated({0, 1, 2}, {0, 1, 2}, Interpolation::Step), 1)); }
+TEST(Facts, JumpsAreNotMotion) { EXPECT_FALSE(moves(animated({0, 1, 2}, {0, 1, 2}, Interpolation::Step), 1)); }
 
-TEST(Facts, SlopesOfACubicMove) {
+TEST(Facts, CubicTangentsMove) {
   Scene scene = animated({0, 4}, {0, 0, 1, 1, 0, 0}, Interpolation::CubicSpline);
   EXPECT_TRUE(moves(scene));
   for (dvec4& value : scene.animations[0].tracks[0].values) value = dvec4(3, 0, 0, 0);
-  EXPECT_TRUE(moves(scene));  // its tangents are 3
+  EXPECT_TRUE(moves(scene));  // the tangents are 3
   for (size_t i : {0, 2, 3, 5}) scene.animations[0].tracks[0].values[i] = dvec4(0);
   EXPECT_FALSE(moves(scene));
 }
 
-TEST(Facts, ThePoseOfTheFrameBeforeCounts) {
+TEST(Facts, PreviousPoseCounts) {
   Scene scene = animated({0, 0.25, 4}, {0, 1, 1});
   EXPECT_TRUE(moves(scene, 1));
   EXPECT_FALSE(moves(scene, 2));
@@ -130,7 +130,7 @@ TEST(Facts, ThePoseOfTheFrameBeforeCounts) {
   EXPECT_FALSE(factsOf(scene, view).motion);
 }
 
-TEST(Facts, WhatHasNoTrianglesDoesNotMove) {
+TEST(Facts, MeshWithoutTrianglesDoesNotMove) {
   Scene scene = spun(0, 0.1);
   scene.meshes[0].geometries[0].indices.clear();
   EXPECT_FALSE(moves(scene));
@@ -138,7 +138,7 @@ TEST(Facts, WhatHasNoTrianglesDoesNotMove) {
   EXPECT_FALSE(moves(scene));
 }
 
-TEST(Facts, ChildrenOfWhatMovesMove) {
+TEST(Facts, ChildrenOfMovingNodesMove) {
   Scene scene = spun(1, 0.1);
   EXPECT_TRUE(moves(scene)) << "a light";
   scene.nodes[1].light = -1;
@@ -147,7 +147,7 @@ TEST(Facts, ChildrenOfWhatMovesMove) {
   EXPECT_TRUE(moves(scene));
 }
 
-TEST(Facts, TheCameraMovesUnlessAnotherStandsInItsPlace) {
+TEST(Facts, CameraMovesUnlessReplaced) {
   Scene scene = spun(2, 0.1);
   FrameView view = viewAt(1);
   EXPECT_TRUE(factsOf(scene, view).camera_moves);
@@ -156,34 +156,34 @@ TEST(Facts, TheCameraMovesUnlessAnotherStandsInItsPlace) {
   EXPECT_TRUE(factsOf(still(), view, true).motion);
 }
 
-TEST(Facts, WhatKeepsNoShareOfItsMotionRests) {
+TEST(Facts, MotionWithShareZeroIsStatic) {
   FrameView view = viewAt(1);
   view.object_share = 0;
   EXPECT_FALSE(factsOf(spun(0, 0.1), view).motion) << "a triangle";
   EXPECT_FALSE(factsOf(spun(1, 0.1), view).motion) << "a light";
   EXPECT_TRUE(factsOf(spun(2, 0.1), view).motion) << "the camera";
   view.followed = 0;
-  EXPECT_TRUE(factsOf(spun(0, 0.1), view).motion) << "what keeps the camera's";
+  EXPECT_TRUE(factsOf(spun(0, 0.1), view).motion) << "a triangle with the camera's share";
   view.camera_share = 0;
   for (int node : {0, 1, 2}) EXPECT_FALSE(factsOf(spun(node, 0.1), view).motion) << node;
   EXPECT_FALSE(factsOf(still(), view, true).motion);
 }
 
-TEST(Facts, WithinNoTimeNothingMoves) {
+TEST(Facts, NothingMovesInAnEmptyInterval) {
   FrameView view = viewAt(1);
   view.open_s = view.previous_s = view.raster_s;
   for (int node : {0, 1, 2}) EXPECT_FALSE(factsOf(spun(node, 0.1), view).motion) << node;
   EXPECT_FALSE(factsOf(animated({0, 4}, {0, 1}), view).motion);
 }
 
-TEST(Facts, AFrameThatSpansACutRests) {
+TEST(Facts, FrameWithACutIsStatic) {
   Scene scene = spun(0, 0.1);
   scene.cuts = {0.75 * kFrame};
   EXPECT_FALSE(moves(scene, 1));
   EXPECT_TRUE(moves(scene, 2));
 }
 
-TEST(Facts, KeysOfALensAndOfLightCount) {
+TEST(Facts, KeysOfLensesAndLightsCount) {
   for (bool of_camera : {true, false}) {
     Scene scene = animated({0, 4}, {1, 1});
     const Track::Target target = of_camera ? Track::Target::FieldOfView : Track::Target::Intensity;
@@ -195,12 +195,12 @@ TEST(Facts, KeysOfALensAndOfLightCount) {
   }
 }
 
-TEST(Facts, AnAnimationThatIsNotPlayedRests) {
+TEST(Facts, UnplayedAnimationIsStatic) {
   const Scene scene = animated({0, 4}, {0, 1});
   EXPECT_FALSE(factsOf(FramePoser(scene, 2, "none", viewAt(1))).motion);
 }
 
-TEST(Facts, AlphaCountsWhereItsMaterialIsSeen) {
+TEST(Facts, AlphaCountsIfItsMaterialIsDrawn) {
   Scene scene = still();
   scene.materials.resize(2);
   scene.materials[1].alpha = Material::Alpha::Mask;
@@ -211,7 +211,7 @@ TEST(Facts, AlphaCountsWhereItsMaterialIsSeen) {
   EXPECT_FALSE(factsOf(scene, viewAt(1)).alpha);
 }
 
-TEST(Facts, ShadowsAreThoseOfLightsThatCastThem) {
+TEST(Facts, ShadowsNeedALightThatCastsThem) {
   Scene scene = still();
   scene.lights[0].shadow = false;
   EXPECT_FALSE(factsOf(scene, viewAt(1)).shadows);

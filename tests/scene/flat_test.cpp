@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transforms that flatten: which are, and which instances may be flattened at some time.
+// Flat transforms, and instances that may be flat at some time.
 #include "scene/flat.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ dmat3 scaling(double x, double y, double z) { return dmat3(x, 0, 0, 0, y, 0, 0, 
 
 dmat3 turning(double angle) { return dmat3(glm::mat4_cast(glm::angleAxis(angle, glm::normalize(dvec3(1, 2, 3))))); }
 
-TEST(Flat, SheetsAreAndSolidsLinesAndPointsAreNot) {
+TEST(Flat, OnlySheetsAreFlat) {
   for (double size : {1e-6, 1., 1e6}) {
     EXPECT_TRUE(isFlat(size * scaling(1, 1, 0)));
     EXPECT_TRUE(isFlat(size * turning(.7) * scaling(1, 1e-9, 1) * turning(1.3)));
@@ -22,14 +22,14 @@ TEST(Flat, SheetsAreAndSolidsLinesAndPointsAreNot) {
   }
   EXPECT_FALSE(isFlat(scaling(0, 0, 0)));
   EXPECT_FALSE(isFlat(scaling(1, NAN, 1)));
-  // Scales along the object's own axes bring rays to object space exactly; across them they do not.
+  // A scale along the object's axes transforms rays to object space exactly; a scale across these axes does not.
   EXPECT_FALSE(isFlat(turning(.7) * scaling(1, 1e-5, 1)));
   EXPECT_TRUE(isFlat(scaling(1, 1e-5, 1) * turning(.7)));
-  // A wire.
+  // A line: two small scales.
   EXPECT_FALSE(isFlat(turning(.7) * scaling(1000, .001, .001)));
 }
 
-// One square whose scale is keyed over a second.
+// A square with a scale keyed over a second.
 bool mayFlatten(const std::vector<dvec3>& scales, Track::Interpolation interpolation = Track::Interpolation::Linear) {
   Scene scene;
   scene.materials.emplace_back();
@@ -47,22 +47,22 @@ bool mayFlatten(const std::vector<dvec3>& scales, Track::Interpolation interpola
   return instancesOf(scene).at(0).flattens;
 }
 
-TEST(Flat, KeyedScalesThatMayVanishAlongOneAxisAreFound) {
+TEST(Flat, FindsScalesThatMayVanishAlongOneAxis) {
   EXPECT_TRUE(mayFlatten({{1, 1, 1}, {1, 1, 0}}));
   EXPECT_TRUE(mayFlatten({{1, 1, 1}, {1, 1, -1}}));
   EXPECT_TRUE(mayFlatten({{1, 1, 0}, {2, 2, 0}}));
   EXPECT_FALSE(mayFlatten({{1, 1, 1}, {1, 1, .1}}));
   EXPECT_FALSE(mayFlatten({{-1, 1, 1}, {-2, 1, 1}}));
-  // What grows from a point has no time at which it is a sheet.
+  // A uniform scale that starts at a point is never flat.
   EXPECT_FALSE(mayFlatten({{0, 0, 0}, {1, 1, 1}}));
   EXPECT_FALSE(mayFlatten({{0, 0, 0}, {1, 2, 1}}));
-  // In-tangent, value, out-tangent: y falls below 0 between its keys.
+  // In-tangent, value, out-tangent: y drops below 0 between its keys.
   const auto cubic = Track::Interpolation::CubicSpline;
   EXPECT_TRUE(mayFlatten({{0, 0, 0}, {1, 1, 1}, {0, -9, 0}, {0, 9, 0}, {1, 1, 1}, {0, 0, 0}}, cubic));
   EXPECT_FALSE(mayFlatten({{0, 0, 0}, {1, 1, 1}, {0, -1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 0, 0}}, cubic));
 }
 
-// A scale of 0 is the limit of positive ones, so that the side that is the front's stays what it is.
+// A scale of 0 is the limit of positive scales, so that the front side stays the same.
 TEST(Flat, SheetsKeepTheirHandedness) {
   auto determinant = [](const dvec3& scale) {
     return glm::determinant(dmat3(Transform{dvec3(0), dquat(.8, .6, 0, 0), scale}.matrix()));

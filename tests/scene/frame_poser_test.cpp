@@ -10,7 +10,7 @@
 namespace strobe::scene {
 namespace frame_poser_test {
 
-// A car with a wheel on it, a ball, a lamp and a camera, each going its own way at 1 m/s.
+// A car with a wheel, a ball, a lamp and a camera, each with its own motion at 1 m/s.
 Scene sceneWith(const std::string& of_scene, const std::string& of_car, const std::string& of_camera) {
   auto cuts = [](const std::string& times) { return times.empty() ? "" : ",\"cuts\":[" + times + "]"; };
   const std::string sphere = R"("shape":{"kind":"shape","type":"sphere","segments":8})";
@@ -36,9 +36,9 @@ Places placesAt(const Scene& scene, const FrameView& times, double time_s) {
           place(pose.world_from_light[0]), place(pose.world_from_camera)};
 }
 
-const FrameView kTimes{2, 1, 2};  // the exposure from 1 s to 2 s, the capture at its end
+const FrameView kTimes{2, 1, 2};  // exposure from 1 s to 2 s, raster time at its end
 
-TEST(FramePoser, IsThePoserWhereNothingIsCut) {
+TEST(FramePoser, EqualsThePoserWithoutCuts) {
   Scene scene = sceneWith("", "", "");
   Poser poser(scene, cameraNode(scene, ""));
   FramePoser frame(scene, cameraNode(scene, ""), "all", kTimes);
@@ -50,7 +50,7 @@ TEST(FramePoser, IsThePoserWhereNothingIsCut) {
   }
 }
 
-TEST(FramePoser, ACutWithinTheExposureStandsAllStill) {
+TEST(FramePoser, CutWithinTheExposureStopsAllMotion) {
   for (const char* cut : {"1.5", "2", "0.3, 1.01, 9"}) {
     Scene scene = sceneWith(cut, "", "");
     for (double time_s : {0., 1., 1.5, 1.9, 2.}) {
@@ -61,8 +61,8 @@ TEST(FramePoser, ACutWithinTheExposureStandsAllStill) {
   }
 }
 
-// It opens at the cut, or the cut comes later; a pose before the cut is no pose of this side of it.
-TEST(FramePoser, ACutOutsideOfTheExposureIsNoneOfIt) {
+// The cut is at shutter open or after the exposure. A time on the other side of a cut has the raster time's pose.
+TEST(FramePoser, CutOutsideTheExposureHasNoEffect) {
   for (const char* cut : {"1", "2.01"}) {
     Scene scene = sceneWith(cut, "", "");
     EXPECT_EQ(placesAt(scene, kTimes, 1).ball, dvec3(1, 0, 0)) << cut;
@@ -70,7 +70,7 @@ TEST(FramePoser, ACutOutsideOfTheExposureIsNoneOfIt) {
   }
 }
 
-TEST(FramePoser, ACutOfANodeIsOneOfAllBelowIt) {
+TEST(FramePoser, CutOfANodeAppliesToItsChildren) {
   Places at = placesAt(sceneWith("", "1.5", ""), kTimes, 1);
   EXPECT_EQ(at.car, dvec3(2, 0, 0));
   EXPECT_EQ(at.wheel, dvec3(2, 2, 0));
@@ -81,7 +81,7 @@ TEST(FramePoser, ACutOfANodeIsOneOfAllBelowIt) {
   EXPECT_EQ(at.car, dvec3(1, 0, 0));
 }
 
-TEST(FramePoser, SharesAreOfTheTimeFromTheCapture) {
+TEST(FramePoser, SharesScaleTheTimeFromTheRasterTime) {
   Scene scene = sceneWith("", "", "");
   FrameView times = kTimes;
   times.camera_share = .25;
@@ -99,8 +99,8 @@ TEST(FramePoser, SharesAreOfTheTimeFromTheCapture) {
   EXPECT_EQ(FramePoser(scene, cameraNode(scene, ""), "all", times).cameraTime(1), 1.75);
 }
 
-// Of the frame's own times, beside the scene's.
-TEST(FramePoser, TimesOfAFrameCutToo) {
+// Cuts of the frame apply in addition to cuts of the scene.
+TEST(FramePoser, CutsOfAFrameApply) {
   Scene scene = sceneWith("9", "", "");
   FrameView times = kTimes;
   times.cuts = {.5, 1.5};
@@ -109,8 +109,8 @@ TEST(FramePoser, TimesOfAFrameCutToo) {
   EXPECT_EQ(FramePoser(scene, cameraNode(scene, ""), "all", times).cameraTime(1), 2);
 }
 
-// A clip of 2 s with a cut half a second in, and where it begins again.
-TEST(FramePoser, ClipsComeToTheirCutsEachTimeRound) {
+// A clip of 2 s with a cut at 0.5 s, and a clip with a cut at its start or end.
+TEST(FramePoser, ClipsReachTheirCutsInEachRound) {
   Animation clip;
   clip.duration = 2;
   auto comes = [&](double from_s, double to_s) { return comesToACut(clip, from_s, to_s); };
@@ -122,11 +122,11 @@ TEST(FramePoser, ClipsComeToTheirCutsEachTimeRound) {
   EXPECT_TRUE(comes(2.4, 2.6));
   EXPECT_TRUE(comes(1.9, 2.6));
   EXPECT_TRUE(comes(.4, 2.1));
-  EXPECT_TRUE(comes(.6, 2.7));  // all the way round
+  EXPECT_TRUE(comes(.6, 2.7));  // a whole round of the clip
   for (double again : {0., 2.}) {
     clip.cuts = {again};
     EXPECT_FALSE(comes(-1, 1)) << again;
-    EXPECT_FALSE(comes(1, 2)) << again;  // its end is of the round before
+    EXPECT_FALSE(comes(1, 2)) << again;  // the clip's end belongs to the previous round
     EXPECT_TRUE(comes(1.9, 2.1)) << again;
     EXPECT_TRUE(comes(2, 2.1)) << again;
     EXPECT_FALSE(comes(2.1, 3.9)) << again;
@@ -141,7 +141,7 @@ std::string failure(const std::string& cuts) {
   });
 }
 
-TEST(FramePoser, CutsAreTimesThatIncrease) {
+TEST(FramePoser, CutTimesMustIncrease) {
   EXPECT_EQ(failure("[0.5, 1]"), "");
   EXPECT_NE(failure("[1, 0.5]").find("node 'a': 'cuts' do not increase"), std::string::npos) << failure("[1, 0.5]");
   EXPECT_NE(failure("[1, 1]").find("'cuts' do not increase"), std::string::npos);

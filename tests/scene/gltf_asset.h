@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small glTF assets that tests write: their one buffer grows with each accessor.
+// Small glTF assets written by tests; each accessor extends their single buffer.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 
 namespace strobe::scene {
 
-// Without the flush to disk that outputs get: thousands are written here.
+// Writes without the flush to disk that output files get: tests write thousands of files.
 inline void writeQuickly(const Path& file, std::string_view bytes) {
   std::filesystem::create_directories(file.parent_path());
   std::ofstream(file, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
@@ -71,7 +71,7 @@ inline void declareExtensions(Json& json) {
   for (const std::string& name : names) json["extensionsUsed"].push_back(name);
 }
 
-// An asset whose one buffer grows with each accessor. `whole` declares the extensions that it uses.
+// An asset whose single buffer grows with each accessor. `whole` declares the used extensions.
 struct Asset {
   Json json = Json::parse(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[],"bufferViews":[],"buffers":[]})");

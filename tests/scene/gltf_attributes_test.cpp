@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attributes of meshes and of morph targets: which are used, which are named as not used, and which are refused.
+// Attributes of meshes and morph targets: used, unused with a warning, or refused.
 #include "scene/gltf_asset.h"
 
 namespace strobe::scene {
@@ -28,7 +28,7 @@ int tangents(Asset& asset, const std::vector<float>& one) {
 
 const Geometry& geometryOf(const Scene& scene) { return scene.meshes.at(0).geometries.at(0); }
 
-TEST_F(GltfAttributes, TangentsAreThoseOfTheFile) {
+TEST_F(GltfAttributes, TangentsMatchTheFile) {
   Asset asset = bumped();
   asset.primitive()["attributes"]["TANGENT"] = tangents(asset, {0, 3, 4, -1});
   asset.primitive()["targets"] =
@@ -40,8 +40,8 @@ TEST_F(GltfAttributes, TangentsAreThoseOfTheFile) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
-// glTF 2.0, 3.7.2.1: without normals they are ignored. Without a normal map nothing looks at them.
-TEST_F(GltfAttributes, TangentsThatDoNotCountAreDropped) {
+// glTF 2.0, 3.7.2.1: tangents without normals are ignored. Without a normal map no shader reads them.
+TEST_F(GltfAttributes, UnusedTangentsAreDropped) {
   for (const char* lacking : {"normals", "map"}) {
     Asset asset = bumped();
     asset.primitive()["attributes"]["TANGENT"] = tangents(asset, {1, 0, 0, 1});
@@ -68,7 +68,7 @@ TEST_F(GltfAttributes, UnsoundTangentsAreRefusedOrNamed) {
       << scene.warnings[0];
 }
 
-TEST_F(GltfAttributes, WhatIsNotUsedIsNamedInOneWarning) {
+TEST_F(GltfAttributes, UnusedAttributesAreNamedInOneWarning) {
   Asset asset = triangle();
   const int colors = asset.add(std::vector<float>(12, 1), "VEC4", 4, 5126),
             uvs = asset.add(std::vector<float>(6, 0), "VEC2", 2, 5126);
@@ -87,7 +87,7 @@ TEST_F(GltfAttributes, WhatIsNotUsedIsNamedInOneWarning) {
             std::vector<std::string>{"attributes are not used: COLOR_0 of morph targets (2 primitives)"});
 }
 
-// MESH_PRIMITIVE_INVALID_ATTRIBUTE and MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY of the validator.
+// The validator's errors MESH_PRIMITIVE_INVALID_ATTRIBUTE and MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY.
 TEST_F(GltfAttributes, UnknownNamesAreRefused) {
   for (const char* name :
        {"FOO", "TEXCOORD", "TEXCOORD_", "TEXCOORD_X", "COLOR_0_0", "COLOR_00", "NORMAL_0", "position", ""}) {
@@ -109,7 +109,7 @@ TEST_F(GltfAttributes, UnknownNamesAreRefused) {
   }
 }
 
-TEST_F(GltfAttributes, OfLinesAreCheckedToo) {
+TEST_F(GltfAttributes, AttributesOfLinesAreChecked) {
   Asset asset = triangle();
   asset.primitive()["mode"] = 1;
   asset.primitive()["attributes"]["JOINTS_0"] = asset.add<uint8_t>(std::vector<uint8_t>(12), "VEC4", 4, 5121);

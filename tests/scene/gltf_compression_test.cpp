@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compressed meshes, encoded here by the libraries' own encoders and compared with the mesh as it was.
+// Compressed meshes, encoded here by the libraries' encoders and compared with the original mesh.
 #include <draco/compression/expert_encode.h>
 #include <meshoptimizer.h>
 
@@ -42,7 +42,7 @@ std::vector<uint32_t> gridIndices() {
   return indices;
 }
 
-// The grid, without compression.
+// The grid, uncompressed.
 Asset grid() {
   Asset asset;
   asset.add<float>(gridPositions(), "VEC3", 3, 5126);
@@ -87,7 +87,7 @@ std::vector<uint8_t> codedIndices(const std::vector<uint32_t>& indices, const st
   return bytes;
 }
 
-// The asset with each view compressed, in buffer 0; its own bytes would be those of buffer 1, which has none.
+// The asset with each view compressed, in buffer 0; the uncompressed views refer to buffer 1, which has no bytes.
 Json compressed(const Asset& asset, const std::string& index_mode) {
   Json json = asset.json;
   std::vector<uint8_t> all;
@@ -114,14 +114,14 @@ Json compressed(const Asset& asset, const std::string& index_mode) {
   return json;
 }
 
-TEST_F(Gltf, MeshoptIsTheMeshBitForBit) {
+TEST_F(Gltf, MeshoptEqualsTheMeshBitForBit) {
   const Scene plain = load(grid().whole());
   for (const char* mode : {"INDICES", "TRIANGLES"}) {
     const Scene scene = load(compressed(grid(), mode));
     expectSameVertices(geometryOf(scene), geometryOf(plain));
     const std::vector<uint32_t>&now = geometryOf(scene).indices, &before = geometryOf(plain).indices;
     ASSERT_EQ(now.size(), before.size());
-    // Mode TRIANGLES may begin a triangle at another of its corners.
+    // Mode TRIANGLES may start a triangle at another of its corners.
     for (size_t t = 0; t < now.size(); t += 3) {
       size_t turn = 0;
       while (turn < 2 && now[t + turn] != before[t]) ++turn;
@@ -131,7 +131,7 @@ TEST_F(Gltf, MeshoptIsTheMeshBitForBit) {
   }
 }
 
-// A view of the asset filled with filtered numbers.
+// A view of the asset replaced by filtered numbers.
 Json filtered(Asset asset, int view, const std::vector<uint8_t>& raw, size_t count, const std::string& filter) {
   const std::vector<uint8_t> bytes = codedVertices(raw.data(), count, raw.size() / count);
   const size_t at = asset.bytes.size();
@@ -150,8 +150,8 @@ Json filtered(Asset asset, int view, const std::vector<uint8_t>& raw, size_t cou
   return asset.whole();
 }
 
-// Mantissa times a power of two: exponent in the upper byte, mantissa in the others.
-TEST_F(Gltf, MeshoptExponentsAreTheirClosedForm) {
+// Mantissa times a power of two: exponent in the upper byte, mantissa in the lower bytes.
+TEST_F(Gltf, MeshoptExponentsMatchTheirClosedForm) {
   const Asset asset = grid();
   std::vector<uint8_t> raw;
   for (int i = 0; i < 3 * kSide * kSide; ++i) {
@@ -252,7 +252,7 @@ int addAttribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco::
   return id;
 }
 
-// The grid as a Draco stream; bits of quantisation, 0 for none.
+// The grid as a Draco stream; bits of quantisation, 0 for unquantised.
 std::vector<uint8_t> dracoBytes(int method, int bits) {
   draco::Mesh mesh;
   mesh.set_num_points(kSide * kSide);
@@ -282,14 +282,14 @@ Json dracoAsset(const std::vector<uint8_t>& stream) {
   return asset.whole();
 }
 
-TEST_F(Gltf, SequentialDracoIsTheMeshBitForBit) {
+TEST_F(Gltf, SequentialDracoEqualsTheMeshBitForBit) {
   const Scene plain = load(grid().whole());
   const Scene scene = load(dracoAsset(dracoBytes(draco::MESH_SEQUENTIAL_ENCODING, 0)));
   expectSameVertices(geometryOf(scene), geometryOf(plain));
   EXPECT_EQ(geometryOf(scene).indices, geometryOf(plain).indices);
 }
 
-// Corners of all triangles in an order that does not depend on that of vertices and triangles.
+// Corners of all triangles in an order independent of the order of vertices and triangles.
 std::vector<std::array<dvec3, 3>> trianglesOf(const Scene& scene) {
   const Geometry& geometry = geometryOf(scene);
   std::vector<std::array<dvec3, 3>> triangles;
@@ -298,7 +298,7 @@ std::vector<std::array<dvec3, 3>> trianglesOf(const Scene& scene) {
     std::array<dvec3, 3> corners;
     for (size_t k = 0; k < 3; ++k) {
       corners[k] = scene.meshes[0].origin + dvec3(geometry.vertices[geometry.indices[t + k]].position);
-      // Columns and rows are 0.37 and 0.21 apart, far more than a step of the quantisation.
+      // Columns are 0.37 and rows 0.21 apart, far more than a quantisation step.
       corners[k].x = std::round(corners[k].x / 0.37) + 1e-4 * corners[k].x;
       corners[k].y = std::round(corners[k].y / 0.21) + 1e-4 * corners[k].y;
     }
@@ -321,7 +321,7 @@ TEST_F(Gltf, QuantisedDracoIsWithinItsStep) {
     for (int bits : {11, 16}) {
       const auto found = trianglesOf(load(dracoAsset(dracoBytes(method, bits))));
       ASSERT_EQ(found.size(), wanted.size());
-      // The largest extent of the grid, 8 columns, is divided into 2^bits - 1 steps; half of one is lost at most.
+      // The largest extent of the grid, 8 columns, has 2^bits - 1 steps; the error is at most half a step.
       const double step = 8 * 0.37 / (std::pow(2.0, bits) - 1);
       for (size_t t = 0; t < wanted.size(); ++t)
         for (size_t k = 0; k < 3; ++k) {
@@ -361,7 +361,7 @@ TEST_F(Gltf, DracoHeadersThatDisagreeAreRefused) {
   }
 }
 
-// A header that claims a billion triangles, with accessors that agree: refused by the sum of memory, not decoded.
+// A header that claims a billion triangles, with matching accessors: refused by the sum of memory before decoding.
 TEST_F(Gltf, DracoCountsAreLimitedBeforeDecoding) {
   Json json = dracoAsset(dracoBytes(draco::MESH_SEQUENTIAL_ENCODING, 11));
   for (int accessor : {0, 1, 2}) json["accessors"][accessor]["count"] = 300000000;
@@ -371,7 +371,7 @@ TEST_F(Gltf, DracoCountsAreLimitedBeforeDecoding) {
 
 // --- damage -------------------------------------------------------------------------------------------------------
 
-// Bytes changed and streams cut short: each loads or is refused in one line (`failure` expects one), and takes no more
+// Streams with changed bytes or a cut: each loads or is refused in one line (`failure` expects one), and takes no more
 // memory than its accessors state.
 TEST_F(Gltf, DamagedStreamsAreRefusedInOneLine) {
   uint32_t state = 7;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seeded damage to a glTF file, with the validator as an oracle.
+// Random damage to a glTF file, compared with the validator.
 #include <cstdlib>
 
 #include "scene/gltf_validator.h"
@@ -9,7 +9,7 @@ namespace gltf_damage_test {
 
 namespace fs = std::filesystem;
 
-// The file with something of everything, and extensions, sparse accessors and more kinds of textures.
+// The file with all features, plus extensions, sparse accessors and more kinds of textures.
 Json damageable() {
   Asset asset = everything();
   const int sparse_indices = asset.add<uint16_t>({1}, "SCALAR", 1, 5123);
@@ -34,7 +34,7 @@ Json damageable() {
   return asset.whole();
 }
 
-// Pointers to all values in a file but the bytes of its buffers.
+// Pointers to all values in a file except the bytes of its buffers.
 void listPointers(const Json& json, const std::string& at, std::vector<std::string>& pointers) {
   if (!at.empty() && !at.ends_with("/uri")) pointers.push_back(at);
   if (json.is_object())
@@ -47,7 +47,7 @@ class Damager {
  public:
   explicit Damager(uint32_t seed) : state_(seed * 2654435761u + 1) {}
 
-  // Changes, removes, swaps or doubles a value; returns what it did.
+  // Changes, removes, swaps or duplicates a value; returns a description.
   std::string damage(Json& json) {
     std::vector<std::string> pointers;
     listPointers(json, "", pointers);
@@ -87,7 +87,7 @@ class Damager {
   uint32_t state_;
 };
 
-// STROBE_DAMAGED_FILES says how many.
+// STROBE_DAMAGED_FILES is the number of files.
 TEST(GltfValidator, AgreesOnDamagedFiles) {
   if (!hasValidator()) GTEST_SKIP() << "no node, or no gltf-validator in STROBE_NODE_MODULES";
   const char* asked = std::getenv("STROBE_DAMAGED_FILES");

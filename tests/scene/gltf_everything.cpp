@@ -3,7 +3,7 @@
 
 namespace strobe::scene {
 
-// A second mesh, of a triangle with two joints and a morph target, shown by node 4; nodes 5 and 6 are the joints.
+// A second mesh at node 4: a triangle with two joints and a morph target; nodes 5 and 6 are the joints.
 static void addBending(Asset& asset, int times) {
   Json& json = asset.json;
   int joints = asset.add<uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4", 4, 5121);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What materials, samplers, instances and animations of a file say, each against the words of its specification.
+// Materials, samplers, instances and animations of a file, each compared with its specification.
 #include <cmath>
 
 #include "scene/defaults.h"
@@ -32,7 +32,7 @@ Json textured(const Json& sampler) {
   return asset.whole();
 }
 
-TEST_F(Gltf, SamplersAreTakenAsTheyAre) {
+TEST_F(Gltf, SamplersMatchTheFile) {
   struct Case {
     Json sampler;
     Filter magnify, minify;
@@ -78,7 +78,7 @@ TEST_F(Gltf, SamplersAreTakenAsTheyAre) {
     EXPECT_NE(failure(textured({{key, 9990}})).find(fmt::format("samplers[0]: {} 9990", key)), std::string::npos);
 }
 
-// An image that two samplers look up differently is two textures, that two look up alike is one.
+// An image with two different samplers becomes two textures, with two equal samplers one texture.
 TEST_F(Gltf, ImagesAreSharedByEqualSamplers) {
   Json json = textured({{"magFilter", 9728}});
   json["samplers"].push_back(Json::object());
@@ -92,14 +92,14 @@ TEST_F(Gltf, ImagesAreSharedByEqualSamplers) {
   EXPECT_EQ(scene.textures[0].magnify, Filter::Nearest);
 }
 
-TEST_F(Gltf, MaterialsAreSeenFromOneSideUnlessTheySay) {
+TEST_F(Gltf, MaterialsAreSingleSidedByDefault) {
   Json json = textured(Json::object());
   json["materials"].push_back({{"doubleSided", true}, {"alphaMode", "BLEND"}});
   json["materials"].push_back({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}});
   Scene scene = load(json);
   EXPECT_FALSE(scene.materials[0].double_sided);
   EXPECT_TRUE(scene.materials[1].double_sided);
-  EXPECT_FALSE(scene.materials.back().double_sided) << "of primitives that name none";
+  EXPECT_FALSE(scene.materials.back().double_sided) << "default material of a primitive without one";
   EXPECT_EQ(scene.materials[0].alpha, Material::Alpha::Opaque);
   EXPECT_EQ(scene.materials[1].alpha, Material::Alpha::Blend);
   EXPECT_EQ(scene.materials[2].alpha, Material::Alpha::Mask);
@@ -107,7 +107,7 @@ TEST_F(Gltf, MaterialsAreSeenFromOneSideUnlessTheySay) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
-// The matrices of KHR_texture_transform: translation * rotation * scale, texCoord in place of the texture's own.
+// Matrices of KHR_texture_transform: translation * rotation * scale; texCoord replaces the texture's own.
 TEST_F(Gltf, TexturesAreTransformed) {
   Json json = textured(Json::object());
   Json& info = json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
@@ -123,7 +123,7 @@ TEST_F(Gltf, TexturesAreTransformed) {
   EXPECT_NEAR(moved.y, -s * 2 * u + c * 3 * v + 0.25, 1e-12);
 }
 
-// ---- variants
+// ---- Variants
 
 Json withVariants() {
   Asset asset = triangle();
@@ -147,9 +147,9 @@ TEST_F(Gltf, VariantsChooseMaterials) {
   EXPECT_NE(failure(triangle().whole(), {.variant = "summer"}).find("has no material variants"), std::string::npos);
 }
 
-// ---- instances
+// ---- Instances
 
-TEST_F(Gltf, InstancesMayBeTurnedByIntegers) {
+TEST_F(Gltf, InstanceRotationsMayBeIntegers) {
   Asset asset = triangle();
   int moves = asset.add<float>({1, 0, 0, 0, 5, 0}, "VEC3", 3, 5126);
   int turns = asset.add<int16_t>({0, 0, 23170, 23170, 0, 0, 0, 32767}, "VEC4", 4, 5122, true);
@@ -161,16 +161,16 @@ TEST_F(Gltf, InstancesMayBeTurnedByIntegers) {
   Pose pose = Poser(scene, -1).at(0);
   ASSERT_EQ(pose.world_from_instance.size(), 2u);
   dvec4 corner = pose.world_from_instance[0] * dvec4(dvec3(2, 0, 0) - scene.meshes[0].origin, 1);
-  EXPECT_NEAR(corner.x, 1, 1e-6);  // doubled, a quarter turn about z, moved by 1
+  EXPECT_NEAR(corner.x, 1, 1e-6);  // scaled by 2, rotated 90 degrees about z, moved by 1
   EXPECT_NEAR(corner.y, 4, 1e-6);
   EXPECT_NEAR(corner.z, 7, 1e-6);
   asset.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] = 0;
   EXPECT_NE(failure(asset.whole()).find("have different counts"), std::string::npos);
 }
 
-// ---- lenses and lights in motion
+// ---- Animated lenses and lights
 
-// A camera, an orthographic one, a spot light and an animation of one channel.
+// A perspective and an orthographic camera, a spot light, and an animation with one channel.
 struct Pointed {
   Asset asset = triangle();
   int times;
@@ -206,12 +206,12 @@ TEST_F(Gltf, PointersMoveNodesLensesAndLights) {
     return Poser(scene, cameraNode(scene, camera)).at(time_s);
   };
   EXPECT_NEAR(at("p", "/nodes/0/translation", {0, 0, 0, 4, 0, 0}, 0.5).world_from_instance[0][3].x, 1 + 1, 1e-9)
-      << "with the mesh's middle at x 1";
+      << "with the mesh's centre at x = 1";
   EXPECT_NEAR(at("p", "/cameras/0/perspective/yfov", {1, 0.5}, 1).camera.vertical_fov, 0.75, 1e-7);
   EXPECT_NEAR(at("p", "/cameras/0/perspective/znear", {0.1f, 0.3f}, 1).camera.near, 0.2, 1e-7);
   EXPECT_NEAR(at("o", "/cameras/1/orthographic/ymag", {1, 3}, 1.5).camera.half_height, 2.5, 1e-7);
   EXPECT_NEAR(at("o", "/cameras/0/perspective/yfov", {1, 0.5}, 1).camera.vertical_fov, Camera().vertical_fov, 0)
-      << "of the other camera";
+      << "the orthographic camera";
   const std::string light = "/extensions/KHR_lights_punctual/lights/0";
   Pose dark = at("p", light + "/intensity", {3, 0}, 1);
   EXPECT_NEAR(dark.lights.at(0).emitted().y / dark.lights[0].moderation, 1.5 * 0.5, 1e-6);
@@ -221,7 +221,7 @@ TEST_F(Gltf, PointersMoveNodesLensesAndLights) {
   EXPECT_NEAR(at("p", light + "/spot/innerConeAngle", {0, 0.1f}, 1).lights.at(0).inner_cone, 0.05, 1e-6);
 }
 
-TEST_F(Gltf, SteppedLensesStandStillWithinAFrame) {
+TEST_F(Gltf, SteppedLensesAreStaticWithinAFrame) {
   Scene scene = load(Pointed().moving("/cameras/0/perspective/yfov", {1, 0.5}, "STEP"));
   Poser poser(scene, cameraNode(scene, "p"));
   EXPECT_EQ(poser.at(1.99).camera.vertical_fov, 1);
@@ -241,15 +241,15 @@ TEST_F(Gltf, OtherPointersAreNamed) {
   }
 }
 
-TEST_F(Gltf, ChannelsOfOneAnimationDriveDifferentThings) {
+TEST_F(Gltf, ChannelsOfOneAnimationHaveDifferentTargets) {
   Json json = Pointed().moving("/nodes/0/translation", {0, 0, 0, 4, 0, 0});
   json["animations"][0]["channels"].push_back({{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}});
   EXPECT_NE(failure(json).find("drives /nodes/0/translation, which another channel drives too"), std::string::npos);
 }
 
-// ---- cuts
+// ---- Cuts
 
-// The mesh goes 4 m along x within two seconds, and begins again.
+// The mesh moves 4 m along x in two seconds and starts again.
 Json sliding() { return Pointed().moving("/nodes/0/translation", {0, 0, 0, 4, 0, 0}); }
 
 TEST_F(Gltf, ScenesNodesAndAnimationsHaveCuts) {
@@ -298,12 +298,12 @@ TEST_F(Gltf, MalformedCutsAreRefusedWithTheirPlace) {
   }
 }
 
-// From 1.75 s to 2.25 s, the capture at the end: the clip begins again within the exposure.
-TEST_F(Gltf, AClipIsCutForWhatItDrives) {
+// Exposure from 1.75 s to 2.25 s, raster time at its end: the clip starts again within the exposure.
+TEST_F(Gltf, ClipIsCutOnlyForItsTargets) {
   auto placeAt = [&](const Json& json, const std::string& animation, double time_s) {
     const Scene scene = load(json);
     const FramePoser poser(scene, cameraNode(scene, "p"), animation, {2.25, 1.75, 2.25});
-    return poser.at(time_s).world_from_instance.at(0)[3].x - 1;  // the mesh's middle is at x 1
+    return poser.at(time_s).world_from_instance.at(0)[3].x - 1;  // the mesh's centre is at x = 1
   };
   Json json = sliding();
   EXPECT_NEAR(placeAt(json, "all", 1.75), 3.5, 1e-6);

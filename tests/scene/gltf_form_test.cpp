@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The form of whole files: declared extensions, objects that nothing uses, URIs, and the memory that counts ask for.
+// The form of whole files: declared extensions, unused objects, URIs, and memory implied by counts.
 #include "common/refusal.h"
 #include "scene/bend.h"
 #include "scene/gltf_asset.h"
@@ -44,7 +44,7 @@ TEST_F(Gltf, ExtensionsInAnotherPlaceAreRefused) {
   expectContains(failure(json), "nodes[0].extensions: KHR_materials_unlit is not allowed here");
 }
 
-// Objects that no part of the shown scene uses have a form too.
+// Objects that the shown scene does not use are checked too.
 TEST_F(Gltf, UnusedObjectsAreCheckedWithTheirPlace) {
   const std::tuple<const char*, Json, const char*> changes[] = {
       {"/samplers", Json::parse(R"([{"wrapS":1}])"), "samplers[0]: wrapS 1 is unknown"},
@@ -76,7 +76,7 @@ TEST_F(Gltf, UnusedObjectsAreCheckedWithTheirPlace) {
   }
   Json own = triangle().whole();
   own["meshes"][0]["primitives"][0]["attributes"]["_FOO"] = 0;
-  own["accessors"][0]["count"] = 3.0;  // a whole number, as JSON has it
+  own["accessors"][0]["count"] = 3.0;  // a whole number in JSON
   EXPECT_EQ(failure(own), "");
 }
 
@@ -174,8 +174,8 @@ TEST_F(Gltf, ChunksOfGlbFilesAreChecked) {
 
 // --- memory -------------------------------------------------------------------------------------------------------
 
-// Counts of elements that the file does not hold, by every way to ask for them: a few hundred bytes that would need
-// gigabytes are refused, with numbers, before anything is allocated.
+// Counts of elements without bytes in the file, in every place with a count: a few hundred bytes that would need
+// gigabytes are refused, with numbers, before any allocation.
 TEST_F(Gltf, CountsBeyondMemoryAreRefusedByTheirSum) {
   constexpr uint32_t kMany = 67000000;
   auto zeros = [](Asset& asset, const char* type, int component_type, uint64_t count) {
@@ -234,14 +234,14 @@ TEST_F(Gltf, CountsBeyondMemoryAreRefusedByTheirSum) {
     expectContains(text, "GiB of memory; the whole file needs ");
     expectContains(text, "more than the 1.0 GiB allowed for a file of its size");
   }
-  Asset asset = triangle();  // zero-filled, of a size that is no matter
+  Asset asset = triangle();  // zero-filled and small
   asset.primitive()["attributes"]["NORMAL"] = zeros(asset, "VEC3", 5126, 3);
   EXPECT_EQ(failure(asset.whole()), "");
 }
 
 // --- skins --------------------------------------------------------------------------------------------------------
 
-// Two primitives, of which the first follows a joint and the second follows the node; its weights are not in the file.
+// Two primitives: the first follows a joint, the second follows the node and has no weights in the file.
 TEST_F(Gltf, PrimitivesWithoutJointsFollowTheNode) {
   Asset asset = triangle();
   asset.json["nodes"] =
@@ -261,7 +261,7 @@ TEST_F(Gltf, PrimitivesWithoutJointsFollowTheNode) {
     std::vector<dvec3> corners;
     for (const BentVertex& vertex : bentVertices(scene, instances.at(0), pose.bends.at(0)))
       corners.push_back(dvec3(pose.world_from_instance.at(0) * dvec4(vertex.position, 1)));
-    const dvec3 moved(time_s, 0, 0);  // with all that the node shows, once
+    const dvec3 moved(time_s, 0, 0);  // motion of the node, applied once
     const dvec3 expected[] = {{0, 3, 0}, {2, 3, 0}, {0, 5, 0}, {0, 0, 5}, {2, 0, 5}, {0, 2, 5}};
     ASSERT_EQ(corners.size(), 6u);
     for (size_t i = 0; i < 6; ++i) EXPECT_LE(glm::distance(corners[i], expected[i] + moved), 1e-6) << i;

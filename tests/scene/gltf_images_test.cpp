@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images that are small in the file and large in memory.
+// Images with a small file and a large decoded size.
 #include "image/image.h"
 #include "image/png.h"
 #include "scene/gltf_asset.h"
@@ -11,7 +11,7 @@ std::string uriOf(const std::string& bytes) {
   return "data:application/octet-stream;base64," + base64({bytes.begin(), bytes.end()});
 }
 
-// A triangle whose material has the images of `uris` as base colours, and the first as roughness too.
+// A triangle with the images of `uris` as base colours, and the first image also as roughness.
 Json textured(const std::vector<std::string>& uris) {
   Json json = triangle().whole();
   for (const std::string& uri : uris) {
@@ -24,15 +24,16 @@ Json textured(const std::vector<std::string>& uris) {
   return json;
 }
 
-// A header alone: 16384 x 16384 texels of RGBA.
+// Header of a PNG file without pixels: 16384 x 16384 texels of RGBA.
 std::string hugeHeader() {
   return std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x40\0\0\0\x40\0\x08\x06\0\0\0\0\0\0\0", 33);
 }
 
 class GltfImages : public Gltf {};
 
-// Texels of 4 bytes, once decoded and once with all levels (4/3) for each texture, and 5/4 of the largest as floats.
-TEST_F(GltfImages, AreSummedBeforeAnyIsDecoded) {
+// Sum of 4 bytes per texel: once decoded, once with all levels (4/3) per texture, and 5/4 of the largest image as
+// floats.
+TEST_F(GltfImages, AreSummedBeforeDecoding) {
   const Json json = textured(
       {uriOf(image::encodePng(image::Image(96, 48, 3))), uriOf(image::encodeJpeg(image::Image(32, 16, 3), 90))});
   const uint64_t png = 96 * 48, jpeg = 32 * 16;
@@ -44,7 +45,7 @@ TEST_F(GltfImages, AreSummedBeforeAnyIsDecoded) {
       << failure(json, {.most_bytes = needed - 1});
 }
 
-// Each takes 1 GiB as it is decoded, so that any machine has too little for all.
+// Each image takes 1 GiB when decoded, so that no machine has memory for all.
 TEST_F(GltfImages, OfKilobytesThatDecodeToGibibytesAreRefused) {
   std::vector<std::string> uris(64, uriOf(hugeHeader()));
   uris[3] = uriOf(image::encodePng(image::Image(8, 8, 3)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sample files against a reading of glTF's text that shares no code (gltf_reference.py): every node, and every vertex
-// that a skin or morph targets have, at rest and in every clip from its start to its end.
+// Sample files compared with an independent implementation of glTF's text (gltf_reference.py): every node, and every
+// vertex with a skin or morph targets, at rest and in every clip from start to end.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace gltf_poses_test {
 
 namespace fs = std::filesystem;
 
-// Starts, ends, and times of which most lie between keys.
+// Shares of a clip: start, end, and times mostly between keys.
 const std::vector<double> kShares = {0, 0.0625, 0.125, 0.25, 0.3, 0.4375, 0.5, 0.6, 0.75, 0.875, 0.95, 1};
 
 class Poses : public ::testing::Test {
@@ -44,7 +44,7 @@ class Poses : public ::testing::Test {
     return end.succeeded() ? Json::parse(end.output) : Json(std::vector<Json>(files.size()));
   }
 
-  // Largest difference of any component of any matrix, relative to the largest of the matrix's own.
+  // Largest difference of a matrix component, relative to the largest component of the matrix.
   static double worstOfNodes(const Poser& poser, const Json& poses) {
     double worst = 0;
     for (const Json& pose : poses) {
@@ -63,7 +63,7 @@ class Poses : public ::testing::Test {
     return worst;
   }
 
-  // Corners of the triangles of an instance, by geometry; world space.
+  // Corners of an instance's triangles, by geometry; world space.
   static std::vector<std::vector<dvec3>> cornersOf(const Scene& scene, const Instance& instance, size_t index,
                                                    const Pose& pose) {
     std::vector<BentVertex> bent;
@@ -88,7 +88,7 @@ class Poses : public ::testing::Test {
 
   static void addBent(const Scene& scene, const Pose& pose, const Json& bent, Worst& worst) {
     const std::vector<Instance> instances = instancesOf(scene);
-    std::map<int, size_t> met;  // primitives of each node
+    std::map<int, size_t> met;  // primitives compared so far, by node
     for (const Json& part : bent) {
       const int node = part["node"];
       const size_t primitive = met[node]++;
@@ -111,12 +111,12 @@ class Poses : public ::testing::Test {
 
   static void comparePoses(const Scene& scene, const std::string& clip, const Json& poses, Worst& worst) {
     Poser poser(scene, -1, clip);
-    // Rotations of splines are of length 1 but for the rounding of a few dozen operations on doubles.
+    // Rotations of splines have length 1, up to rounding in a few dozen double operations.
     EXPECT_LE(worstOfNodes(poser, poses), 1e-12) << clip;
     for (const Json& pose : poses) addBent(scene, poser.at(pose["t"]), pose["bent"], worst);
   }
 
-  // How many clips there were.
+  // Compares a file; returns its number of clips.
   static size_t compare(const Path& file, const Json& expected, Worst& worst) {
     SCOPED_TRACE(file.string());
     Scene scene = loadGltf(file);
@@ -125,7 +125,7 @@ class Poses : public ::testing::Test {
     comparePoses(scene, "none", expected["rest"], own);
     for (size_t i = 0; i < scene.animations.size() && i < expected["clips"].size(); ++i)
       comparePoses(scene, scene.animations[i].name, expected["clips"][i], own);
-    // A vertex is kept at single precision, relative to the middle of its mesh.
+    // A vertex is stored in single precision, relative to the centre of its mesh.
     EXPECT_LE(own.difference, 2e-7);
     worst.difference = std::max(worst.difference, own.difference), worst.corners += own.corners;
     return expected["clips"].size();
@@ -146,12 +146,12 @@ class Poses : public ::testing::Test {
   }
 };
 
-TEST_F(Poses, OfTheAssetGeneratorAreThoseOfTheText) { compareAll("gltf_asset_generator", 30, 19, 500); }
+TEST_F(Poses, OfTheAssetGeneratorMatchTheText) { compareAll("gltf_asset_generator", 30, 19, 500); }
 
-TEST_F(Poses, OfTheSamplesAreThoseOfTheText) { compareAll("khronos_samples", 9, 16, 100000); }
+TEST_F(Poses, OfTheSamplesMatchTheText) { compareAll("khronos_samples", 9, 16, 100000); }
 
-// Within a frame a stepped channel stays as it is at the capture, wherever its keys lie.
-TEST_F(Poses, StepsStandStillWithinAFrame) {
+// Within a frame a stepped channel keeps its value at the raster time, for any keys.
+TEST_F(Poses, StepsAreStaticWithinAFrame) {
   int steps = 0;
   for (const Path& file : filesIn("khronos_samples")) {
     Scene scene = loadGltf(file);

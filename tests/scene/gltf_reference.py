@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""World matrices of every node of a glTF file, and where skins and morph targets have vertices, from the text of glTF 2.0
-alone: transforms of nodes (3.5.3), morph targets (3.7.2.2), skins (3.7.3), animations (3.11) and their interpolation
-(appendix C). The standard library only.
+"""World matrices of every node of a glTF file, and positions of vertices with skins and morph targets, implemented from
+the text of glTF 2.0: transforms of nodes (3.5.3), morph targets (3.7.2.2), skins (3.7.3), animations (3.11) and their
+interpolation (appendix C). The standard library only.
 
     gltf_reference.py SHARE,SHARE,... FILES...
 
 prints for each file {"rest": [a pose without animation], "clips": [the poses of each animation at each share of its
 duration]}. A pose is {"t": seconds, "worlds": [a matrix of 16 by columns for each node], "bent": [{"node": its number,
-"corners": [x, y, z of each corner of its triangles]} for each primitive of nodes with a skin or weights]}. A channel is
-at its first or last key outside of them."""
+"corners": [x, y, z of each corner of its triangles]} for each primitive of nodes with a skin or weights]}. A channel
+has the value of its first or last key outside its keys."""
 import base64
 import json
 import math
@@ -135,7 +135,7 @@ def moved(matrix, p):
 
 
 class Shapes:
-    """Vertices of the nodes that have a skin or weights, as the file has them."""
+    """Vertices of the nodes with a skin or weights, in the order of the file."""
 
     def __init__(self, gltf, path, chunk):
         self.gltf = gltf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skins and morph targets of small assets written here: where they have vertices by hand, and every kind of damage.
+// Skins and morph targets of small assets: hand-computed positions of vertices, and every kind of damage.
 #include <cmath>
 
 #include "math/constants.h"
@@ -11,8 +11,8 @@
 namespace strobe::scene {
 namespace gltf_skin_test {
 
-// A triangle of which corner 0 follows joint 0, corner 1 joint 1, corner 2 half of each. Node 0 shows it, node 1 and
-// its child 2 are the joints.
+// A triangle: corner 0 follows joint 0, corner 1 joint 1, corner 2 half of each. Node 0 has the mesh, nodes 1 and its
+// child 2 are the joints.
 struct Skinned {
   Asset asset = triangle();
   int joints, weights, times;
@@ -33,7 +33,7 @@ struct Skinned {
     asset.json["skins"] = Json::array({{{"joints", {1, 2}}, {"inverseBindMatrices", binds}}});
   }
   Json& attributes() { return asset.primitive()["attributes"]; }
-  // A channel from key 0 to key 1 of what `target` says.
+  // A channel from key 0 to key 1 with this target.
   void drive(const Json& target, const std::vector<float>& values, const char* type, int width,
              const char* how = "LINEAR") {
     int output = asset.add(values, type, width, 5126);
@@ -53,39 +53,39 @@ std::vector<dvec3> worldCorners(const Scene& scene, double time_s, double held_s
 }
 std::vector<dvec3> worldCorners(const Scene& scene, double time_s) { return worldCorners(scene, time_s, time_s); }
 
-// 1e-6: positions and weights are single-precision numbers.
+// Tolerance 1e-6: positions and weights are in single precision.
 void expectCorners(const std::vector<dvec3>& corners, const std::vector<dvec3>& expected) {
   ASSERT_EQ(corners.size(), expected.size());
   for (size_t i = 0; i < corners.size(); ++i) EXPECT_LE(glm::distance(corners[i], expected[i]), 1e-6) << i;
 }
 
-TEST_F(Gltf, JointsHaveVerticesAndNotTheNode) {
+TEST_F(Gltf, JointsMoveVerticesAndTheNodeDoesNot) {
   Skinned skinned;
   expectCorners(worldCorners(load(skinned.asset.whole()), 0), {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}});
-  // Joint 1 turned by a quarter about x 2: corner 2, (-2, 2, 0) from there, would come to (-2, -2, 0).
+  // Joint 1 rotated by a quarter about x = 2: corner 2, at (-2, 2, 0) from there, would move to (-2, -2, 0).
   skinned.asset.json["nodes"][2]["rotation"] = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};
   Scene scene = load(skinned.asset.whole());
   EXPECT_TRUE(scene.warnings.empty());
   expectCorners(worldCorners(scene, 0), {{0, 0, 0}, {2, 0, 0}, {0, 0, 0}});
-  // Normals turn with their vertices.
+  // Normals rotate with their vertices.
   const Pose pose = Poser(scene, -1).at(0);
   for (const BentVertex& vertex : bentVertices(scene, instancesOf(scene)[0], pose.bends[0]))
     EXPECT_LE(glm::distance(vertex.normal, dvec3(0, 0, 1)), 1e-7);
 }
 
-TEST_F(Gltf, AnySetsOfJointsCount) {
+TEST_F(Gltf, AllSetsOfJointsCount) {
   Skinned skinned;
   int more = skinned.asset.add<uint16_t>({1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 4, 5123);
   int shares = skinned.asset.add<uint8_t>({255, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 4, 5121, true);
   skinned.attributes()["JOINTS_1"] = more;
   skinned.attributes()["WEIGHTS_1"] = shares;
   skinned.asset.json["nodes"][2]["translation"] = {2, 0, 8};
-  // Corner 0 follows each joint with 1: half of each.
+  // Corner 0 has weight 1 for each joint: half of each after normalisation.
   expectCorners(worldCorners(load(skinned.asset.whole()), 0), {{0, 0, 4}, {2, 0, 8}, {0, 2, 4}});
 }
 
-// Mirrored by its node, which turns the front round, a mesh stays where its joints are.
-TEST_F(Gltf, TheNodeOfASkinSaysWhichSideIsInFront) {
+// Mirroring the skin's node flips the front face and does not move the vertices.
+TEST_F(Gltf, NodeOfASkinDecidesTheFrontFace) {
   Skinned skinned;
   skinned.asset.json["nodes"][0]["scale"] = {-1, 1, 1};
   Scene scene = load(skinned.asset.whole());
@@ -102,13 +102,13 @@ TEST_F(Gltf, OneJointMovesAMeshAsAWhole) {
   const Pose pose = Poser(scene, -1).at(0);
   const dvec4 corner(scene.meshes[0].geometries[0].vertices[1].position, 1);
   EXPECT_LE(glm::distance(dvec3(pose.world_from_instance[0] * corner), dvec3(2, 3, 0)), 1e-6);
-  // Of the other handedness than the node it is bent, with the node's.
+  // If joint and node have opposite handedness, the mesh is deformed with the node's handedness.
   skinned.asset.json["nodes"][0]["scale"] = {-1, 1, 1};
   scene = load(skinned.asset.whole());
   EXPECT_TRUE(bends(scene, instancesOf(scene)[0]));
 }
 
-// A triangle with two targets: one moves corner 1 by y 4, the other all by z 1.
+// A triangle with two targets: the first moves corner 1 by y = 4, the second all corners by z = 1.
 struct Morphed : Skinned {
   Morphed() {
     asset.json["nodes"] = Json::parse(R"([{"mesh":0}])");
@@ -122,10 +122,10 @@ struct Morphed : Skinned {
   }
 };
 
-TEST_F(Gltf, WeightsOfNodesComeBeforeThoseOfMeshes) {
+TEST_F(Gltf, NodeWeightsOverrideMeshWeights) {
   Morphed morphed;
   Scene scene = load(morphed.asset.whole());
-  EXPECT_FALSE(bends(scene, instancesOf(scene)[0])) << "weights are 0, and stay so";
+  EXPECT_FALSE(bends(scene, instancesOf(scene)[0])) << "weights are 0 and not animated";
   morphed.asset.json["meshes"][0]["weights"] = {0.5, 2};
   scene = load(morphed.asset.whole());
   expectCorners(worldCorners(scene, 0), {{0, 0, 2}, {2, 2, 2}, {0, 2, 2}});
@@ -136,7 +136,7 @@ TEST_F(Gltf, WeightsOfNodesComeBeforeThoseOfMeshes) {
   expectCorners(worldCorners(load(morphed.asset.whole()), 0), {{0, 0, -1}, {2, 0, -1}, {0, 2, -1}});
 }
 
-TEST_F(Gltf, MorphsComeBeforeJoints) {
+TEST_F(Gltf, MorphsApplyBeforeJoints) {
   Skinned skinned;
   int one = skinned.asset.add<float>({0, 0, 0, 0, 4, 0, 0, 0, 0}, "VEC3", 3, 5126);
   skinned.asset.primitive()["targets"] = Json::array({{{"POSITION", one}}});
@@ -145,7 +145,7 @@ TEST_F(Gltf, MorphsComeBeforeJoints) {
   expectCorners(worldCorners(load(skinned.asset.whole()), 0), {{0, 0, 0}, {-2, 0, 0}, {0, 0, 0}});
 }
 
-TEST_F(Gltf, MorphsWithoutNormalsHaveThoseOfTheirFacets) {
+TEST_F(Gltf, MorphsWithoutNormalsHaveFacetNormals) {
   Morphed morphed;
   morphed.attributes().erase("NORMAL");
   for (Json& target : morphed.asset.primitive()["targets"]) target.erase("NORMAL");
@@ -157,7 +157,7 @@ TEST_F(Gltf, MorphsWithoutNormalsHaveThoseOfTheirFacets) {
     EXPECT_EQ(vertex.normal, dvec3(0));
 }
 
-TEST_F(Gltf, KeysOfWeights) {
+TEST_F(Gltf, WeightsAreInterpolated) {
   const Json path = {{"node", 0}, {"path", "weights"}};
   auto heightAt = [&](const char* how, const std::vector<float>& values, double time_s) {
     Morphed morphed;
@@ -167,10 +167,10 @@ TEST_F(Gltf, KeysOfWeights) {
   EXPECT_LE(glm::distance(heightAt("LINEAR", {0, 0, 1, 2}, 0.25), dvec3(2, 1, 0.5)), 1e-6);
   EXPECT_LE(glm::distance(heightAt("STEP", {0, 0, 1, 2}, 0.75), dvec3(2, 0, 0)), 1e-6);
   EXPECT_LE(glm::distance(heightAt("STEP", {0, 0, 1, 2}, 1), dvec3(2, 4, 2)), 1e-6);
-  // In-tangents, values, out-tangents of both weights: the first leaves at pace 1, which is t(1-t)^2 of it.
+  // In-tangents, values and out-tangents of two weights; the first has an out-tangent of 1, which adds t(1-t)^2.
   const std::vector<float> cubic = {0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0, 0};
   EXPECT_LE(glm::distance(heightAt("CUBICSPLINE", cubic, 0.5), dvec3(2, 4 * 0.125, 1)), 1e-6);
-  // Within a frame a step stays as it is at the capture.
+  // Within a frame a step keeps its value at the raster time.
   Morphed morphed;
   morphed.drive(path, {0, 0, 1, 2}, "SCALAR", 1, "STEP");
   Scene scene = load(morphed.asset.whole());
@@ -199,7 +199,7 @@ TEST_F(Gltf, PointersDriveWeights) {
   }
 }
 
-// ---- facts
+// ---- Facts
 
 Facts factsAt(Scene scene, double raster_s) {
   scene.cameras.resize(1);
@@ -212,14 +212,14 @@ Facts factsAt(Scene scene, double raster_s) {
   return factsOf(FramePoser(scene, int(scene.nodes.size()) - 1, "all", view));
 }
 
-TEST_F(Gltf, WhatBendsMovesAsItsJointsAndWeightsDo) {
+TEST_F(Gltf, DeformedMeshMovesWithJointsAndWeights) {
   Skinned skinned;
   skinned.drive({{"node", 2}, {"path", "translation"}}, {2, 0, 0, 2, 1, 0}, "VEC3", 3);
   Scene scene = load(skinned.asset.whole());
   EXPECT_TRUE(factsAt(scene, 0.5).moves.at(0));
   EXPECT_TRUE(factsAt(scene, 0.5).deforms);
-  EXPECT_FALSE(factsAt(scene, 0).moves.at(0)) << "before its keys";
-  // What moves the node that shows it moves nothing.
+  EXPECT_FALSE(factsAt(scene, 0).moves.at(0)) << "before the clip's keys";
+  // Motion of the skin's node has no effect.
   skinned.drive({{"node", 0}, {"path", "translation"}}, {0, 0, 0, 9, 9, 9}, "VEC3", 3);
   EXPECT_FALSE(factsAt(load(skinned.asset.whole()), 0.5).motion);
   for (const char* how : {"LINEAR", "STEP"}) {
@@ -231,10 +231,10 @@ TEST_F(Gltf, WhatBendsMovesAsItsJointsAndWeightsDo) {
   EXPECT_FALSE(factsAt(load(triangle().whole()), 0).deforms);
 }
 
-// ---- bounds
+// ---- Bounds
 
-// Boxes hold vertices at every pose.
-TEST_F(Gltf, HullsHoldWhatBends) {
+// Boxes contain the vertices at every pose.
+TEST_F(Gltf, HullsContainDeformedVertices) {
   Skinned skinned;
   int one = skinned.asset.add<float>({0, 0, 0, 0, 4, 0, -3, 0, 1}, "VEC3", 3, 5126);
   skinned.asset.primitive()["targets"] = Json::array({{{"POSITION", one}}});
@@ -257,7 +257,7 @@ TEST_F(Gltf, HullsHoldWhatBends) {
   }
 }
 
-TEST_F(Gltf, HullsOfBoundsFoundAheadAreTheSame) {
+TEST_F(Gltf, PrecomputedBoundsGiveTheSameHulls) {
   Morphed morphed;
   morphed.drive({{"node", 0}, {"path", "weights"}}, {0, 0, 1, -2}, "SCALAR", 1);
   for (Scene& scene :
@@ -273,7 +273,7 @@ TEST_F(Gltf, HullsOfBoundsFoundAheadAreTheSame) {
   }
 }
 
-// ---- damage
+// ---- Damage
 
 TEST_F(Gltf, DamagedSkinsAreRefusedWithTheirPlace) {
   Skinned whole;
@@ -293,7 +293,7 @@ TEST_F(Gltf, DamagedSkinsAreRefusedWithTheirPlace) {
   int not_affine = asset.add(tilted, "MAT4", 16, 5126), infinite = asset.add(endless, "MAT4", 16, 5126);
   struct Damage {
     const char* pointer;
-    Json value;  // null: gone
+    Json value;  // null: removed
     const char* text;
   };
   const std::string attributes = "/meshes/0/primitives/0/attributes/";

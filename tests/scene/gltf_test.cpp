@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small assets written here, with known contents and with every kind of damage; then every file of the shared scenes,
-// whole and cut short.
+// Small assets with known contents and every kind of damage; then every file of the shared scenes, whole and truncated.
 #include <cmath>
 #include <cstring>
 
@@ -51,7 +50,7 @@ TEST_F(Gltf, PointsAndLinesAreWarnedOf) {
   EXPECT_EQ(scene.warnings.size(), 1u);
 }
 
-TEST_F(Gltf, NormalisedAndQuantisedIntegers) {
+TEST_F(Gltf, ReadsNormalisedAndQuantisedIntegers) {
   Asset asset;
   asset.add<int16_t>({0, 0, 0, 100, 0, 0, 0, 100, 0}, "VEC3", 3, 5122);
   int uv = asset.add<uint16_t>({0, 65535, 13107, 0, 65535, 65535}, "VEC2", 2, 5123, true);
@@ -78,7 +77,7 @@ TEST_F(Gltf, SparseAccessorsReplaceElements) {
   EXPECT_NE(failure(asset.whole()), "");
 }
 
-TEST_F(Gltf, PositionsThatAreNotFiniteLoseTheirTriangles) {
+TEST_F(Gltf, TrianglesWithNonFinitePositionsAreDropped) {
   Asset asset;
   asset.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, NAN, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3", 3, 5126);
   Scene scene = load(asset.whole());
@@ -87,7 +86,7 @@ TEST_F(Gltf, PositionsThatAreNotFiniteLoseTheirTriangles) {
   EXPECT_NE(scene.warnings[0].find("meshes[0].primitives[0]: 1 triangles"), std::string::npos);
 }
 
-// Each change breaks one thing; none may pass, none may crash.
+// Each change breaks one thing: each is refused and none crashes.
 TEST_F(Gltf, DamageIsRefusedInOneLine) {
   struct Damage {
     const char* pointer;
@@ -147,8 +146,8 @@ TEST_F(Gltf, DamageIsRefusedInOneLine) {
   }
 }
 
-// A file may name what lies in its own folder, wherever links lead.
-TEST_F(Gltf, FilesOutsideOfItsFolderAreRefused) {
+// A file may name files in its own folder only, also through links.
+TEST_F(Gltf, FilesOutsideTheFolderAreRefused) {
   const Path folder = folder_ / "asset", outside = folder_ / "outside.bin";
   std::filesystem::create_directories(folder / "deeper");
   Asset asset = triangle();
@@ -173,7 +172,7 @@ TEST_F(Gltf, FilesOutsideOfItsFolderAreRefused) {
   }
 }
 
-TEST_F(Gltf, AnimationIsItsClosedForm) {
+TEST_F(Gltf, AnimationMatchesItsClosedForm) {
   Asset asset = triangle();
   int times = asset.add<float>({1, 3}, "SCALAR", 1, 5126);
   int values = asset.add<float>({0, 0, 0, 4, 0, -2}, "VEC3", 3, 5126);
@@ -187,12 +186,12 @@ TEST_F(Gltf, AnimationIsItsClosedForm) {
   supplyDefaults(scene);
   Poser poser(scene, cameraNode(scene, ""));
   dvec4 corner = dvec4(positionOf(scene, 1) - scene.meshes[0].origin, 1);
-  dvec4 at = poser.at(2).world_from_instance[0] * corner;  // halfway, doubled by the matrix that was split
+  dvec4 at = poser.at(2).world_from_instance[0] * corner;  // halfway; the scale of 2 comes from the node's matrix
   EXPECT_NEAR(at.x, 2 + 4, 1e-9);
   EXPECT_NEAR(at.z, -1, 1e-9);
 }
 
-TEST_F(Gltf, GpuInstancesLightsAndUnlit) {
+TEST_F(Gltf, ReadsGpuInstancesLightsAndUnlit) {
   Asset asset = triangle();
   int moves = asset.add<float>({1, 0, 0, 0, 5, 0}, "VEC3", 3, 5126);
   asset.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = moves;
@@ -204,7 +203,7 @@ TEST_F(Gltf, GpuInstancesLightsAndUnlit) {
   Scene scene = load(asset.whole());
   EXPECT_EQ(instancesOf(scene).size(), 2u);
   EXPECT_TRUE(scene.materials[0].unlit);
-  EXPECT_NEAR(scene.lights[0].emitted().x, kPi, 1e-5) << "sunlight is brought to the display's white";
+  EXPECT_NEAR(scene.lights[0].emitted().x, kPi, 1e-5) << "sunlight is scaled to the display's white";
   EXPECT_EQ(scene.assumptions.size(), 1u);
 }
 
@@ -236,7 +235,7 @@ TEST(Defaults, CameraFramesTheBounds) {
   EXPECT_GT(fullest, 0.75);
   size_t nodes = scene.nodes.size();
   supplyDefaults(scene);
-  EXPECT_EQ(scene.nodes.size(), nodes) << "nothing is supplied twice";
+  EXPECT_EQ(scene.nodes.size(), nodes) << "defaults are supplied once";
 }
 
 TEST(Defaults, UnlitScenesGetNoLight) {
@@ -301,7 +300,7 @@ TEST(SharedScenes, AllLoadAndPose) {
 }
 
 // Any prefix of a file either loads or is refused in one line.
-TEST(SharedScenes, CutShortAreRefused) {
+TEST(SharedScenes, TruncatedFilesAreRefused) {
   std::vector<Path> files = sharedFiles();
   if (files.empty()) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
   const testing::TemporaryFolder temporary;
@@ -324,7 +323,7 @@ TEST(SharedScenes, CutShortAreRefused) {
   EXPECT_EQ(refused, tried);
 }
 
-// Bytes flipped all over small files: no crash, whatever they say.
+// Flipped bytes in small files never crash.
 TEST(SharedScenes, DamagedBytesDoNotCrash) {
   std::vector<Path> files = sharedFiles();
   if (files.empty()) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";

@@ -20,7 +20,7 @@ bool hasValidator() {
   return end.succeeded() && std::filesystem::is_directory(Path(modules()) / "gltf-validator");
 }
 
-// The validator's errors in each file, of one process.
+// The validator's errors for each file, found by one process.
 static std::map<std::string, std::vector<std::string>> errorsIn(const std::vector<Path>& files) {
   const std::string script = sourceFolder() / "tests/scene/gltf_validator.js";
   const ProgramEnd end =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The glTF validator of Khronos as an oracle: what it calls an error is refused with its place, what it accepts loads;
-// exceptions are listed here and in docs/gltf.md. It only warns of values that are none of a list (filters, modes,
-// types), which are refused here: they count as errors.
+// Comparison with Khronos' glTF validator: a file with an error is refused and its place named; other files load.
+// Exceptions are listed here and in docs/gltf.md. Values outside an enumeration (filters, modes, types) are only
+// warnings of the validator, but count as errors here.
 #pragma once
 
 #include <functional>
@@ -11,28 +11,29 @@
 
 namespace strobe::scene {
 
-// True if there are node and the validator, in STROBE_NODE_MODULES, where `./strobe test` puts it.
+// True if node and the validator are installed; `./strobe test` installs the validator in STROBE_NODE_MODULES.
 bool hasValidator();
 
-// The message of a file that does not load, else "".
+// The error of a file that does not load; "" if it loads.
 std::string refusalOf(const Path& file);
 
 using Exceptions = std::vector<std::pair<std::regex, std::string>>;
 
-// Errors of the validator with which a file may load, by code and JSON pointer, and where docs/gltf.md lists them.
+// Validator errors that do not prevent loading, by code and JSON pointer, and their place in docs/gltf.md.
 const Exceptions& accepted();
 
-// Refusals of files that the validator accepts, and where docs/gltf.md lists them.
+// Refusals of files without validator errors, and their place in docs/gltf.md.
 const Exceptions& refusedAllTheSame();
 
 struct Tally {
   size_t refused = 0, loaded = 0, listed = 0;
 };
 
-// Each error is refused in one line, or listed; a file without errors loads, or its refusal is listed.
+// Expects that a file with errors is refused in one line or listed, and that a file without errors loads or its refusal
+// is listed.
 Tally expectAgreement(const std::vector<Path>& files, const std::function<std::string(size_t)>& describe);
 
-// A file with something of everything: a textured and lit triangle, an index list, two cameras, clips, what bends.
+// A file with all features: a textured and lit triangle, an index list, two cameras, clips, a deformed mesh.
 Asset everything();
 
 }  // namespace strobe::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Errors that the glTF validator of Khronos finds in files, and its warnings of values that no list has. Reads names of
-// files, one a line, and prints {file: ["CODE POINTER"]}. NODE_PATH says where it is.
+// Errors of Khronos' glTF validator in files, and its warnings about values outside an enumeration. Reads file names,
+// one per line, and prints {file: ["CODE POINTER"]}. NODE_PATH is the folder of the validator.
 const fs = require("fs");
 const path = require("path");
 const validator = require("gltf-validator");

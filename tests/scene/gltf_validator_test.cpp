@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Broken files, scenes of the shared data and reported files, with the validator as an oracle.
+// Broken files, shared scenes and reported files, compared with the validator.
 #include "scene/gltf_validator.h"
 
 #include "base/files.h"
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 struct Change {
   const char* pointer;
-  Json value;  // a text "(gone)" takes the member away
+  Json value;  // "(gone)" removes the member
 };
 
 const std::vector<Change>& changes() {
@@ -191,7 +191,7 @@ TEST(GltfValidator, ExceptionsAreDocumented) {
     for (const auto& [what, phrase] : *list) EXPECT_NE(page.find(phrase), std::string::npos) << phrase;
 }
 
-TEST(GltfValidator, AgreesOnWhatIsBroken) {
+TEST(GltfValidator, AgreesOnBrokenFiles) {
   if (!hasValidator()) GTEST_SKIP() << "no node, or no gltf-validator in STROBE_NODE_MODULES";
   const testing::TemporaryFolder folder;
   const Json whole = everything().whole();
@@ -232,7 +232,7 @@ TEST(GltfValidator, AgreesOnSharedScenes) {
   EXPECT_GE(tally.loaded, 30u);
 }
 
-// Small files that scripts beside them write, each with one fault or oddity that programs have stumbled over.
+// Small files written by scripts beside them, each with one fault or oddity that other programs failed on.
 TEST(GltfValidator, AgreesOnReportedFiles) {
   if (!hasValidator()) GTEST_SKIP() << "no node, or no gltf-validator in STROBE_NODE_MODULES";
   std::optional<Path> data = home().data();

@@ -17,7 +17,7 @@ std::string failure(const Json& json) {
   return testing::refusalOf([&] { sceneFromJson(json, "test.lua", {{"fps", false, 1, 100}}); });
 }
 
-TEST(JsonScene, ATrackWithoutTimesIsAMistake) {
+TEST(JsonScene, TrackWithoutTimesIsAMistake) {
   std::string text = failure(parsed(R"({"kind":"scene","nodes":[{"kind":"node","name":"a"}],
     "animations":[{"kind":"animation","name":"x","tracks":[{"kind":"track","node":"a"}]}]})"));
   EXPECT_NE(text.find("track: needs 'times'"), std::string::npos) << text;
@@ -47,7 +47,7 @@ TEST(JsonScene, BuildsNodesMeshesAndMotion) {
                               "test.lua");
   ASSERT_EQ(scene.nodes.size(), 4u);
   EXPECT_EQ(scene.nodes[1].parent, 0);
-  EXPECT_EQ(scene.meshes.size(), 1u) << "equal meshes are made once";
+  EXPECT_EQ(scene.meshes.size(), 1u) << "equal meshes are shared";
   EXPECT_EQ(scene.nodes[1].mesh, scene.nodes[0].mesh);
   EXPECT_EQ(scene.materials.size(), 2u);
   EXPECT_EQ(scene.textures.size(), 1u);
@@ -73,7 +73,7 @@ TEST(JsonScene, LookAtTurnsMinusZ) {
   EXPECT_NEAR(world[1].y, 1, 1e-12);
 }
 
-TEST(JsonScene, AllMistakesAtOnceWithTheirPlaces) {
+TEST(JsonScene, ReportsAllMistakesWithTheirPlaces) {
   std::string text = failure(parsed(R"({"kind":"scene","place":{"file":"a.lua","line":1},"nodes":[
     {"kind":"node","name":"vase","place":{"file":"a.lua","line":3},"postion":[0,0,0],
      "shape":{"kind":"shape","type":"sphere","radius":-1,"place":{"file":"a.lua","line":4}}},
@@ -90,8 +90,8 @@ TEST(JsonScene, AllMistakesAtOnceWithTheirPlaces) {
   }
 }
 
-// Keys of which only the presence is asked, and those of another branch, are named too.
-TEST(JsonScene, AnUnknownKeyIsAnsweredWithAllKeys) {
+// The list of keys includes keys that are only tested for presence, and keys of other branches.
+TEST(JsonScene, UnknownKeyListsAllKeys) {
   std::string text = failure(parsed(R"({"kind":"scene","nodes":[{"kind":"node","name":"eye","lookat":[0,0,0]},
     {"kind":"node","name":"b","qqqqqqqq":1}]})"));
   EXPECT_NE(text.find("node 'eye': unknown key 'lookat'; did you mean 'look_at'?"), std::string::npos) << text;
@@ -122,7 +122,7 @@ TEST(JsonScene, WrongKindsAreRefused) {
   }
 }
 
-TEST(JsonScene, SuggestionsForAShotAreThoseAskedFor) {
+TEST(JsonScene, SuggestionsForAShotAreChecked) {
   EXPECT_EQ(failure(parsed(R"({"kind":"scene","nodes":[],"shot":{"fps":24}})")), "");
   EXPECT_NE(failure(parsed(R"({"kind":"scene","nodes":[],"shot":{"fpt":24}})")).find("fpt"), std::string::npos);
 }

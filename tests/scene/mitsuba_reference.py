@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The places of everything in a folder with a scene of Mitsuba 3 (scene.xml and PLY files), from the documentation of Mitsuba 3
-and of PLY alone. The standard library only.
+"""Positions of all objects in a folder with a Mitsuba 3 scene (scene.xml and PLY files), implemented from the documentation
+of Mitsuba 3 and PLY with the standard library only.
 
     mitsuba_reference.py FOLDER TIME,TIME,...
 
 prints {"integrator": type, "sensor": {..., "rays": for each time [origin, direction] through each of five points of the film},
 "shapes": [{"id", "bsdf", "points": for each time the corners of all triangles, world space, ...}], "emitters": [...],
-"comments": [...]}. A transform is [times, matrices]; between keys, scale and translation are mixed and rotations turn along the
-shorter arc (Mitsuba 3, "Animation and motion blur")."""
+"comments": [...]}. A transform is [times, matrices]; between keys, scale and translation are interpolated linearly and
+rotations along the shorter arc (Mitsuba 3, "Animation and motion blur")."""
 import json
 import math
 import os

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The written scene of Mitsuba 3, read back by a script that shares no code (mitsuba_reference.py): vertices, camera
-// rays and lights at times of the exposure are where the runtime has them.
+// The exported Mitsuba 3 scene, read by an independent script (mitsuba_reference.py): vertices, camera rays and lights
+// at times of the exposure match the runtime.
 #include "scene/mitsuba.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace mitsuba_test {
 
 // The exposure lasts from 1 s to 1.5 s; the raster time is its end.
 const FrameView kFrame{1.5, 1, 1.5, 1, {}, 200, 100};
-// Ends, and times of which most lie between keys.
+// Shares of the exposure: start, end, and times mostly between keys.
 const std::vector<double> kTimes = {0, 0.1, 0.3701, 0.5, 0.93, 1};
 // Shares of width and height, as in mitsuba_reference.py.
 const dvec2 kFilm[] = {{0.5, 0.5}, {0, 0}, {1, 0}, {0, 1}, {0.25, 0.75}};
@@ -68,7 +68,7 @@ class Mitsuba : public ::testing::Test {
 
   static double timeOf(double share) { return glm::mix(kFrame.open_s, kFrame.close_s, share); }
 
-  // Largest distance of any corner of any triangle from its place in the runtime, at all times, metres.
+  // Largest distance of a triangle corner from its position in the runtime, over all times, metres.
   static double worstCorner(const Scene& scene, const Json& shapes) {
     Poser poser(scene, cameraNode(scene, ""));
     double worst = 0;
@@ -90,7 +90,7 @@ class Mitsuba : public ::testing::Test {
     return worst;
   }
 
-  // Rays of the camera as shaders/mixin/camera.glsl has them: largest difference of origins and unit directions.
+  // Camera rays as in shaders/mixin/camera.glsl: largest difference of origins and unit directions.
   static double worstRay(const Scene& scene, const Json& sensor) {
     Poser poser(scene, cameraNode(scene, ""));
     double worst = 0;
@@ -115,11 +115,11 @@ class Mitsuba : public ::testing::Test {
   MitsubaExport export_;
 };
 
-// A thousandth of a pixel, which the export promises, is 2 * tan(0.4) / 100 * 4 m / 1000 at the distance of the nearest
-// corner, 4 m; numbers of vertices are rounded to 2^-24 of themselves.
+// The export's limit, 1/1000 px, is 2 * tan(0.4) / 100 * 4 m / 1000 at the nearest corner, 4 m away; vertex coordinates
+// are rounded with a relative error of 2^-24.
 constexpr double kNear_m = 3.4e-5 + 1e-6;
 
-TEST_F(Mitsuba, HasTheVerticesAndRaysOfTheRuntimeAtEachTime) {
+TEST_F(Mitsuba, HasTheVerticesAndRaysOfTheRuntime) {
   const std::string grey = R"("color":[0.5,0.5,0.5])";
   const Scene scene = sceneOf(
       {node("car", box(grey) + R"(,"motion":{"velocity":[3,0,0],"rest_time":1.2},"scale":[1,2,1],"children":[)" +
@@ -140,13 +140,13 @@ TEST_F(Mitsuba, HasTheVerticesAndRaysOfTheRuntimeAtEachTime) {
   EXPECT_EQ(read["sensor"]["shutter_close"], 1);
   EXPECT_EQ(read["sensor"]["width"], kFrame.width);
   EXPECT_NEAR(double(read["sensor"]["fov"]), scene.cameras[0].vertical_fov * 180 / 3.14159265358979, 1e-6);
-  // Straight motion at a constant rate is exact with two keys; what stands still has one.
+  // Straight motion at a constant rate is exact with two keys; a static node has one key.
   EXPECT_EQ(read["shapes"][0]["keys"], 2);
   EXPECT_GT(read["shapes"][1]["keys"], 16);
   EXPECT_EQ(read["shapes"][2]["keys"], 1);
 }
 
-TEST_F(Mitsuba, HasTheLightsOfTheRuntimeAtEachTime) {
+TEST_F(Mitsuba, HasTheLightsOfTheRuntime) {
   const Scene scene = sceneOf(
       {node("body", box(R"("color":[0.5,0.5,0.5])")), node("eye", kCamera),
        node(
@@ -168,7 +168,7 @@ TEST_F(Mitsuba, HasTheLightsOfTheRuntimeAtEachTime) {
     const Pose pose = poser.at(timeOf(kTimes[t]));
     for (size_t i = 0; i < 2; ++i) {
       const dmat4& world = pose.world_from_light[i];
-      // Lights shine along their -z.
+      // Lights shine along their -z axis.
       EXPECT_LT(glm::length(vector(emitters[i + 1]["directions"][t]) + dvec3(world[2])), 1e-5);
       EXPECT_LT(glm::length(vector(emitters[i + 1]["positions"][t]) - dvec3(world[3])), 1e-5);
     }
@@ -197,7 +197,7 @@ TEST_F(Mitsuba, WritesUnlitScenesAsColours) {
   const image::ExrFile texels = image::readExr(folder_ / std::string(panel["bsdf"]["filename"]));
   const image::Image color = image::colourOf(texels, "", "texels");
   EXPECT_EQ(color.values, (std::vector<float>{0.5f, 0, 1, 0.125f, 1, 2}));
-  // A colour above 1 is in a texture: Mitsuba refuses it elsewhere.
+  // A colour above 1 is stored in a texture, because Mitsuba refuses it elsewhere.
   const image::Image bright =
       image::colourOf(image::readExr(folder_ / std::string(lamp["bsdf"]["filename"])), "", "lamp");
   EXPECT_EQ(bright.at(1, 1, 0), 3);
@@ -209,7 +209,7 @@ TEST_F(Mitsuba, WritesUnlitScenesAsColours) {
   }
 }
 
-TEST_F(Mitsuba, HasVerticesOfWhatDeformsAtTheRasterTime) {
+TEST_F(Mitsuba, HasDeformedVerticesAtTheRasterTime) {
   Scene scene = sceneOf({node("cloth", box(R"("color":[0.5,0.5,0.5])")), node("eye", kCamera)});
   Geometry& geometry = scene.meshes[0].geometries[0];
   geometry.targets.push_back({std::vector<vec3>(geometry.vertices.size(), vec3(0, 1, 0)), {}, {}});
@@ -223,7 +223,7 @@ TEST_F(Mitsuba, HasVerticesOfWhatDeformsAtTheRasterTime) {
   EXPECT_TRUE(leavesOut("deformation", "cloth"));
 }
 
-TEST_F(Mitsuba, NamesWhatItLeavesOut) {
+TEST_F(Mitsuba, NamesOmittedFeatures) {
   Scene scene = sceneOf(
       {node("body",
             box(R"("name":"paint","color":[0.5,0.5,0.5],"emissive":[1,1,1])") + R"(,"motion":{"velocity":[1,0,0]})"),
@@ -248,9 +248,9 @@ TEST_F(Mitsuba, NamesWhatItLeavesOut) {
   EXPECT_TRUE(leavesOut("lights without shadows", "lamp"));
   EXPECT_TRUE(leavesOut("shading at the raster time", ""));
   EXPECT_TRUE(leavesOut("ambient light", ""));
-  // The file has them too, after a line on the scene.
+  // The file lists them too, after a line about the scene.
   EXPECT_EQ(read["comments"].size(), export_.left_out.size() + 1);
-  // The gradient of the background: white above, black below.
+  // The background's gradient: white above, black below.
   const image::Image sky = image::colourOf(image::readExr(folder_ / "background.exr"), "", "background");
   EXPECT_GT(sky.at(0, 0, 0), 0.999);
   EXPECT_LT(sky.at(0, sky.height - 1, 0), 0.001);
@@ -268,7 +268,7 @@ TEST_F(Mitsuba, EscapesNames) {
   EXPECT_TRUE(leavesOut("alpha of materials", name));
 }
 
-TEST_F(Mitsuba, TurnsMirroredAndSheared) {
+TEST_F(Mitsuba, HandlesMirroredAndShearedTransforms) {
   Scene scene = sceneOf(
       {node("frame", R"("scale":[1,2,1],"children":[)" +
                          node("turning", box(R"("color":[0.5,0.5,0.5])") +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Poses against closed forms that do not share the code: polynomials, angles, products of matrices written out.
+// Poses compared with closed forms that share no code: polynomials, angles, written-out matrix products.
 #include "scene/motion.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace strobe::scene {
 namespace motion_test {
 
-// Double arithmetic of a few operations on numbers of size one.
+// Error of a few double operations on numbers near 1.
 constexpr double kTiny = 1e-12;
 
 void expectNear(const dvec3& got, const dvec3& want, double tolerance = kTiny) {
@@ -31,7 +31,7 @@ Node named(const std::string& name, int parent = -1) {
   return node;
 }
 
-// One drawable at the origin of node 0, camera in the last node.
+// One mesh at the origin of node 0, camera at the last node.
 Scene sceneWithCamera(std::vector<Node> nodes) {
   Scene scene;
   scene.name = "test";
@@ -61,7 +61,7 @@ TEST(Track, StepJumpsAtItsKeyOnly) {
   EXPECT_EQ(valueAt(t, 2).x, 3);
 }
 
-// A cubic is its own Hermite interpolant: x(s) = s^3 - 2s + 1 on [1, 4], with its derivative as tangents.
+// A cubic equals its Hermite interpolant: x(s) = s^3 - 2s + 1 on [1, 4], with its derivative as tangents.
 TEST(Track, CubicSplineReproducesACubic) {
   auto x = [](double s) { return s * s * s - 2 * s + 1; };
   auto slope = [](double s) { return 3 * s * s - 2; };
@@ -74,7 +74,7 @@ TEST(Track, CubicSplineReproducesACubic) {
 }
 
 TEST(Track, RotationTurnsAtConstantRateAlongTheShorterArc) {
-  double half = kPi / 3;  // 120 degrees about z, the second key with the sign that a naive mix takes the long way for
+  double half = kPi / 3;  // 120 degrees about z; the second key's sign makes a naive mix take the long way
   Track t = track(Track::Target::Rotation, Track::Interpolation::Linear, {0, 1},
                   {{0, 0, 0, 1}, {0, 0, -std::sin(half), -std::cos(half)}});
   for (double s : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
@@ -95,8 +95,8 @@ TEST(Track, ClipsRepeatPastTheirEnd) {
   EXPECT_EQ(clipTime(4 * (1 - 1e-8), 2), 0);
 }
 
-// Keys on the frames 0 to `last`, stored as floats, x the share of the clip. Exporters divide by the rate, or multiply
-// by a rounded 1 / rate.
+// Keys on frames 0 to `last`, stored as floats; x is the share of the clip. Exporters divide by the rate or multiply by
+// a rounded 1 / rate.
 Scene keyedOnFrames(int last, int fps, bool by_product, Track::Interpolation how = Track::Interpolation::Linear) {
   Node box = named("box");
   box.mesh = 0;
@@ -112,18 +112,18 @@ Scene keyedOnFrames(int last, int fps, bool by_product, Track::Interpolation how
   return scene;
 }
 
-// For every length of a clip up to 200 frames: `check(scene, last, fps)`.
+// Calls `check(scene, last, fps)` for every clip length up to 200 frames.
 void forEachLength(Track::Interpolation how, const std::function<void(const Scene&, int, double)>& check) {
   for (int fps : {24, 25, 30, 60})
     for (int last = 1; last <= 200; ++last)
       for (bool by_product : {false, true}) check(keyedOnFrames(last, fps, by_product, how), last, fps);
 }
 
-TEST(Poser, TheLastFrameOfAClipShowsItsLastKey) {
+TEST(Poser, LastFrameOfAClipShowsItsLastKey) {
   forEachLength(Track::Interpolation::Linear, [](const Scene& scene, int last, double fps) {
     const Poser poser(scene, 1);
     auto place = [&](double time_s) { return poser.at(time_s).world_from_instance[0][3].x; };
-    // Times are off by less than 1e-7 of themselves, places by as much of the way.
+    // Times have a relative error below 1e-7, and positions the same relative error.
     EXPECT_NEAR(place(last / fps), 1, 1e-7 * last) << last << " " << fps;
     EXPECT_NEAR(place((last + 0.5) / fps), 0.5 / last, 1e-6) << last << " " << fps;
     const Animation& clip = scene.animations[0];
@@ -133,7 +133,7 @@ TEST(Poser, TheLastFrameOfAClipShowsItsLastKey) {
   });
 }
 
-TEST(Poser, AStepIsAtItsKeyOnTheFrameOfTheKey) {
+TEST(Poser, StepIsAtItsKeyOnTheFrameOfTheKey) {
   forEachLength(Track::Interpolation::Step, [](const Scene& scene, int last, double fps) {
     const Poser poser(scene, 1);
     for (int frame = last; frame >= std::max(0, last - 3); --frame)
@@ -141,7 +141,7 @@ TEST(Poser, AStepIsAtItsKeyOnTheFrameOfTheKey) {
   });
 }
 
-TEST(Poser, ACutOnAFrameIsBeforeThatFrame) {
+TEST(Poser, CutOnAFrameIsBeforeThatFrame) {
   for (double fps : {24., 25., 30., 60.})
     for (int frame = 1; frame <= 200; ++frame) {
       const std::vector<double> cuts = {double(float(frame / fps))};
@@ -150,8 +150,8 @@ TEST(Poser, ACutOnAFrameIsBeforeThatFrame) {
     }
 }
 
-// A node keyed to where it rests keeps its matrix, whatever that does.
-TEST(Poser, AnAnimatedMatrixKeepsItsShear) {
+// A node with keys at its rest pose keeps its matrix, for any matrix.
+TEST(Poser, AnimatedMatrixKeepsItsShear) {
   const dmat4 shear(1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
   const dmat4 turn = glm::mat4_cast(glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, 3))));
   const dmat4 mirror = glm::scale(dmat4(1), dvec3(-2, 3, 0.5)), shift = glm::translate(dmat4(1), dvec3(1, 2, 3));
@@ -175,21 +175,21 @@ TEST(Poser, AnAnimatedMatrixKeepsItsShear) {
     key(Track::Target::Rotation, dvec4(node.transform.rotation.x, node.transform.rotation.y, node.transform.rotation.z,
                                        node.transform.rotation.w));
     key(Track::Target::Scale, dvec4(node.transform.scale, 0));
-    // What a matrix flattens is posed by the vertices.
+    // A mesh flattened by its matrix is posed by its vertices.
     auto worldOf = [](const Pose& pose) {
       return pose.bends[0].joints.empty() ? pose.world_from_instance[0] : pose.bends[0].joints[0];
     };
     const dmat4 keyed = worldOf(Poser(scene, 1).at(0)), rest = worldOf(Poser(scene, 1, "none").at(0));
     for (int c = 0; c < 4; ++c) {
-      // A scale of 0 is posed as 2^-40 of the length of all three, 2.3e-12 at most here.
+      // A scale of 0 is posed as 2^-40 of the length of the scale, at most 2.3e-12 here.
       EXPECT_LE(glm::distance(keyed[c], (*box.matrix)[c]), 4 * kTiny) << c;
       EXPECT_LE(glm::distance(rest[c], (*box.matrix)[c]), 4 * kTiny) << c;
     }
   }
 }
 
-TEST(Poser, HierarchyInAnyOrder) {
-  Node child = named("child", 1);  // its parent stands after it
+TEST(Poser, HierarchyMayBeInAnyOrder) {
+  Node child = named("child", 1);  // its parent has a later index
   child.transform.translation = {1, 0, 0};
   child.mesh = 0;
   Node parent = named("parent");
@@ -199,7 +199,7 @@ TEST(Poser, HierarchyInAnyOrder) {
   Scene scene = sceneWithCamera({child, parent});
   scene.meshes[0].origin = {0, 1, 0};
   Pose pose = Poser(scene, cameraNode(scene, "")).at(0);
-  // (1,0,0)+(0,1,0) doubled, turned a quarter about z, lifted by 5: (2,2,0) -> (-2,2,0) -> (-2,7,0).
+  // (1,0,0)+(0,1,0), scaled by 2, rotated by a quarter about z, moved by y = 5: (2,2,0) -> (-2,2,0) -> (-2,7,0).
   expectNear(dvec3(pose.world_from_instance.at(0)[3]), {-2, 7, 0});
 }
 
@@ -209,7 +209,7 @@ TEST(Poser, CyclesAreRefusedByName) {
   EXPECT_NE(refused.find("its own ancestor"), std::string::npos) << refused;
 }
 
-TEST(Poser, ConstantMotionInWorldAxesUnderATurnedParent) {
+TEST(Poser, ConstantMotionIsInWorldAxesUnderARotatedParent) {
   Node parent = named("parent");
   parent.transform.rotation = glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, 3)));
   Node child = named("child", 0);
@@ -229,7 +229,7 @@ TEST(Poser, ConstantMotionInWorldAxesUnderATurnedParent) {
   dvec3 pivot = glm::mat3_cast(parent.transform.rotation) * dvec3(3, 0, 0);
   dvec3 arm = glm::mat3_cast(parent.transform.rotation) * dvec3(0, 0, 2);
   expectNear(dvec3(poser.at(10).world_from_instance[0][3]), pivot + arm);
-  // Half a second: a quarter turn about world y takes (x, y, z) to (z, y, -x).
+  // After half a second, a quarter turn about world y maps (x, y, z) to (z, y, -x).
   expectNear(dvec3(poser.at(10.5).world_from_instance[0][3]), pivot + dvec3(arm.z, arm.y, -arm.x) + dvec3(0.5, 0, -1));
 }
 
@@ -262,7 +262,7 @@ TEST(Poser, AnimationDrivesOnlyItsChannels) {
   scene.animations.push_back(clip);
   Poser poser(scene, 1);
   expectNear(dvec3(poser.at(0.5).world_from_instance[0] * dvec4(1, 1, 1, 1)), {2.5, 3, 4});
-  expectNear(dvec3(poser.at(2.5).world_from_instance[0][3]), {0.5, 0, 0});  // again from its start
+  expectNear(dvec3(poser.at(2.5).world_from_instance[0][3]), {0.5, 0, 0});  // starts again
   expectNear(dvec3(poser.at(-3).world_from_instance[0][3]), {0, 0, 0});
   expectNear(dvec3(Poser(scene, 1, "none").at(0.5).world_from_instance[0][3]), {9, 9, 9});
   EXPECT_THROW(Poser(scene, 1, "slid"), Error);
@@ -294,7 +294,7 @@ TEST(Poser, CameraFrameHasUnitScaleAndIsNotMirrored) {
   expectNear(dvec3(frame[3]), {1, 2, 3});
 }
 
-TEST(Instances, OfGpuInstancingAndMirroring) {
+TEST(Instances, IncludeGpuInstancesAndMirroring) {
   Node node = named("many");
   node.mesh = 0;
   node.transform.scale = {-1, 1, 1};

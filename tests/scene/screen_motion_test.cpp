@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How things go over the picture: plain cases, and random ones against points inside, posed and projected one by one.
+// Screen-space motion of objects: simple cases, and random cases compared with inside points, posed and projected one
+// by one.
 #include "scene/screen_motion.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +16,12 @@ namespace screen_motion_test {
 constexpr double kFrame = 1.0 / 24;
 constexpr int kWidth = 400, kHeight = 300;
 
-// 300 px at depth 10 are 10 m high.
+// 300 px at a depth of 10 m span 10 m.
 constexpr double kMetre = 30;
 
 FrameView frameAtOne() { return {kFrame, 0.5 * kFrame, kFrame, 0, {}, kWidth, kHeight}; }
 
-// Boxes by node, half a `size` to each side of `at`; the last node is the camera, at the origin, looking along -z.
+// Boxes by node, `size` in each direction from `at`; the last node is the camera at the origin, looking along -z.
 class Boxes {
  public:
   Boxes() {
@@ -46,7 +47,7 @@ class Boxes {
     return int(scene_.nodes.size()) - 1;
   }
 
-  // Per frame.
+  // Motion per frame interval.
   void move(int node, const dvec3& by) { motionOf(node).velocity = by / kFrame; }
   void spin(int node, const dvec3& axis, double radians) {
     motionOf(node).axis = glm::normalize(axis);
@@ -61,7 +62,7 @@ class Boxes {
         scene_, [&](double time_s) { return poser.at(time_s); }, frameAtOne());
   }
 
-  // Of the only box that moves.
+  // Path of the box at `node`.
   ScreenPath path(int node = 1) const { return motion().paths.at(size_t(node) - 1); }
 
  private:
@@ -89,7 +90,7 @@ std::string textOf(const PixelArea& area) {
 
 const dvec3 kCard(2, 2, 0), kBox(2, 2, 2);
 
-TEST(ScreenMotion, OfACardThatSlides) {
+TEST(ScreenMotion, SlidingCardIsStraight) {
   Boxes boxes;
   int card = boxes.add({0, 0, -10}, kCard);
   boxes.add({0, 0, -15}, {30, 30, 0});
@@ -99,30 +100,30 @@ TEST(ScreenMotion, OfACardThatSlides) {
   EXPECT_EQ(boxes.motion().moving_rect.x1, int(std::ceil(kWidth / 2 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
 }
 
-// Lines and curves through motion that is not even go on beside it, and so does what is foretold of it.
-TEST(ScreenMotion, OfWhatIsNotEven) {
+// The rectangle includes lines and curves fitted to uneven motion, and extrapolated positions.
+TEST(ScreenMotion, UnevenMotionExtendsTheRectangle) {
   Boxes boxes;
   int card = boxes.add({0, 0, -10}, kCard);
   boxes.move(card, {2, 0, 0});
   Poser poser(boxes.scene(), 0);
-  // Frames that it has gone, by those that have passed.
+  // `gone` maps elapsed frames to frames of motion.
   auto left_edge = [&](const std::function<double(double)>& gone) {
     auto pose_at = [&](double time_s) { return poser.at(gone(time_s / kFrame) * kFrame); };
     return screenMotionOf(boxes.scene(), pose_at, frameAtOne()).moving_rect.x0;
   };
   const double even_px = left_edge([](double frames) { return frames; });
   EXPECT_NEAR(even_px, kWidth / 2 - 2 * kMetre - 2, 2);
-  // A quarter of a frame ahead in the middle of the exposure; nowhere farther to the left than before.
+  // In the middle of the exposure the card is a quarter frame ahead; the leftmost position is unchanged.
   const double ahead_px = 0.25 * 2 * kMetre;
   EXPECT_NEAR(left_edge([](double frames) { return frames + 4 * std::max(frames - 0.5, 0.0) * (1 - frames); }),
               even_px - 2 * ahead_px, 3);
-  // As fast again before the exposure: foretold to be half as far again to the left as it is when that opens.
+  // Twice the speed before the exposure: extrapolated to half a frame's motion further left than at shutter open.
   EXPECT_NEAR(left_edge([](double frames) { return frames < 0.5 ? 3 * frames - 1 : frames; }),
               even_px - 0.5 * 2 * kMetre, 2);
 }
 
-// What moves at a pose is in the area of that pose, to the two pixels of its margin; that is within the reach.
-TEST(ScreenMotion, AreaAtAPose) {
+// The moving area at a pose includes a margin of two pixels and lies within the moving rectangle.
+TEST(ScreenMotion, AreaAtAPoseIsWithinTheRectangle) {
   Boxes boxes;
   int card = boxes.add({0, 0, -10}, kCard);
   boxes.move(card, {2, 0, 0});
@@ -143,8 +144,8 @@ TEST(ScreenMotion, AreaAtAPose) {
   EXPECT_FALSE(behind.motion().area_at) << "not clearly in front of the camera";
 }
 
-// It stands until the frame before, and slides since: where a frame looks back farther, that is no even way.
-TEST(ScreenMotion, OfEarlierFrames) {
+// The card was static until the previous frame and then slides: with earlier frames, the motion is not uniform.
+TEST(ScreenMotion, EarlierFramesCurveThePath) {
   Boxes boxes;
   boxes.move(boxes.add({0, 0, -10}, kCard), {2, 1, 0});
   Poser poser(boxes.scene(), 0);
@@ -155,13 +156,13 @@ TEST(ScreenMotion, OfEarlierFrames) {
   EXPECT_TRUE(screenMotionOf(boxes.scene(), pose_at, frame).paths.at(0).curved);
 }
 
-TEST(ScreenMotion, OfWhatHasDepth) {
+TEST(ScreenMotion, BoxWithDepthTurns) {
   Boxes boxes;
   boxes.move(boxes.add({0, 0, -10}, kBox), {2, 0, 0});
   EXPECT_EQ(textOf(boxes.path()), "turns covered ");
 }
 
-TEST(ScreenMotion, OfWhatTurnsOrComesNearer) {
+TEST(ScreenMotion, RotationAndApproachAreCurved) {
   Boxes spun, nearer;
   spun.spin(spun.add({0, 0, -10}, kCard), {0, 0, 1}, 0.5);
   EXPECT_EQ(textOf(spun.path()), "curved turns covered ");
@@ -169,7 +170,7 @@ TEST(ScreenMotion, OfWhatTurnsOrComesNearer) {
   EXPECT_EQ(textOf(nearer.path()), "curved turns covered ");
 }
 
-TEST(ScreenMotion, OfWhatIsCovered) {
+TEST(ScreenMotion, CardBehindAnotherMayBeOccluded) {
   for (double depth : {5, 9, 11}) {
     Boxes boxes;
     boxes.move(boxes.add({0, 0, -10}, kCard), {1, 0, 0});
@@ -182,7 +183,7 @@ TEST(ScreenMotion, OfWhatIsCovered) {
   EXPECT_EQ(textOf(beside.path()), "");
 }
 
-TEST(ScreenMotion, OfWhatIsNotKnown) {
+TEST(ScreenMotion, UnknownPathsAreConservative) {
   Boxes behind, round;
   behind.move(behind.add({0, 0, 1}, kCard), {1, 0, 0});
   EXPECT_EQ(textOf(behind.path()), "curved turns covered ");
@@ -191,7 +192,7 @@ TEST(ScreenMotion, OfWhatIsNotKnown) {
   EXPECT_EQ(round.motion().moving_rect.x1 - round.motion().moving_rect.x0, kWidth);
 }
 
-// What is said to be straight, or to move as a whole, is so for any point inside.
+// A path classified as straight, or as equal for all points, is so for any inside point.
 TEST(ScreenMotion, HoldsForEveryPoint) {
   std::mt19937 random(1);
   auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };

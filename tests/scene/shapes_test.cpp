@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shapes against topology (every edge of a closed surface is used once in each direction, Euler's V - E + F) and
-// against areas and volumes known in closed form.
+// Shapes compared with topology (every edge of a closed surface is used once in each direction, Euler's V - E + F) and
+// with areas and volumes in closed form.
 #include "scene/shapes.h"
 
 #include <gtest/gtest.h>
@@ -37,10 +37,10 @@ double area(const Shape& shape) {
 
 using Key = std::tuple<long, long, long>;
 
-// Positions are welded on a grid of a nanometre: far above rounding, far below any edge.
+// Positions are welded on a grid of one nanometre: far above rounding, far below any edge.
 Key key(const dvec3& p) { return {std::lround(p.x * 1e9), std::lround(p.y * 1e9), std::lround(p.z * 1e9)}; }
 
-// V - E + F when every edge has exactly one partner in the other direction, else a number no surface has.
+// V - E + F if every edge has exactly one partner in the other direction, else an impossible number.
 int euler(const Shape& shape) {
   std::set<Key> corners;
   std::map<std::pair<Key, Key>, int> edges;
@@ -59,8 +59,8 @@ int euler(const Shape& shape) {
   return int(corners.size()) - int(edges.size() / 2) + int(shape.indices.size() / 3);
 }
 
-// Unit normals on the side from which triangles are wound anticlockwise.
-// `exempt` triangles may differ: at a sharp rim one smooth normal serves facets that face apart.
+// Normals have unit length and point to the side with anticlockwise winding. `exempt` triangles may differ: at a sharp
+// rim, facets in different directions share one smooth normal.
 void expectNormalsAgree(const Shape& shape, size_t exempt = 0) {
   size_t turned = 0;
   for (const Shape::Point& point : shape.points) ASSERT_NEAR(glm::length(point.normal), 1, 1e-9);
@@ -81,7 +81,7 @@ TEST(Shapes, BoxIsExact) {
   expectNormalsAgree(shape);
 }
 
-// Steiner: a box rounded by r is its inner box grown by a ball of r.
+// Steiner: a box rounded by r is its inner box extended by a ball of radius r.
 TEST(Shapes, RoundedBoxFollowsSteiner) {
   dvec3 size(2, 3, 5);
   double r = 0.4;
@@ -90,7 +90,7 @@ TEST(Shapes, RoundedBoxFollowsSteiner) {
   double exact = i.x * i.y * i.z + 2 * r * (i.x * i.y + i.y * i.z + i.z * i.x) + kPi * r * r * (i.x + i.y + i.z) +
                  4.0 / 3 * kPi * r * r * r;
   EXPECT_EQ(euler(shape), 2);
-  EXPECT_NEAR(volume(shape) / exact, 1, 2e-4);  // chords of 24 steps per quarter
+  EXPECT_NEAR(volume(shape) / exact, 1, 2e-4);  // error of chords with 24 steps per quarter
   expectNormalsAgree(shape);
   EXPECT_EQ(euler(box({1, 1, 1}, 9, 8)), 2);  // radius limited to half the side: a ball
 }
@@ -102,7 +102,7 @@ TEST(Shapes, SphereConverges) {
     EXPECT_EQ(euler(shape), 2);
     double error = 1 - volume(shape) / (4.0 / 3 * kPi * 1.5 * 1.5 * 1.5);
     EXPECT_GT(error, 0);
-    EXPECT_LT(error, before / 3.5);  // second order: a quarter per halving
+    EXPECT_LT(error, before / 3.5);  // second order: a quarter of the error per halving
     before = error;
   }
   expectNormalsAgree(sphere(1, 24));

@@ -27,14 +27,14 @@ TEST(Srgb, IsTheInverseOfTheEncoding) {
   EXPECT_NEAR(linearFromSrgb(0.5), 0.21404114, 1e-7);  // published value of the transfer curve
 }
 
-TEST(Levels, AverageInLinearLight) {
+TEST(Levels, AreAveragedInLinearLight) {
   Texture texture;
   texture.width = 2;
   texture.height = 1;
   texture.levels = {{0, 0, 0, 255, 255, 255, 255, 255}};
   buildLevels(texture);
   ASSERT_EQ(texture.levels.size(), 2u);
-  EXPECT_EQ(texture.levels[1], (std::vector<uint8_t>{188, 188, 188, 255}));  // half of the light, encoded
+  EXPECT_EQ(texture.levels[1], (std::vector<uint8_t>{188, 188, 188, 255}));  // half of the linear light, encoded
   texture.format = Texture::Format::Rgba8Unorm;
   buildLevels(texture);
   EXPECT_EQ(texture.levels[1][0], 128);
@@ -49,7 +49,7 @@ TEST(Levels, TransparentTexelsDoNotBleed) {
   EXPECT_EQ(texture.levels[1], (std::vector<uint8_t>{200, 10, 10, 128}));
 }
 
-// Whatever the size, the mean of a level is that of the image: every texel counts once.
+// For any size, the mean of a level equals the mean of the image: every texel has the same weight.
 TEST(Levels, OddSizesKeepTheMean) {
   for (ivec2 size : {ivec2(5, 3), ivec2(7, 1), ivec2(1, 9), ivec2(13, 11)}) {
     std::vector<vec4> texels;
@@ -81,7 +81,7 @@ TEST(Patterns, StripesHaveTheirShares) {
   EXPECT_NEAR(linearFromSrgb(texture.levels.back()[0] / 255.0), 0.75, 0.005);
 }
 
-TEST(KeptTextures, AreWhatWasPainted) {
+TEST(KeptTextures, EqualThePaintedTextures) {
   namespace fs = std::filesystem;
   const testing::TemporaryFolder folder;
   auto kept = [&] { return std::distance(fs::directory_iterator(folder / "textures"), fs::directory_iterator()); };
@@ -98,7 +98,7 @@ TEST(KeptTextures, AreWhatWasPainted) {
   }
   EXPECT_EQ(size_t(kept()), patternNames().size());
 
-  // Every number of a pattern counts.
+  // Every number of a pattern changes the key.
   const Pattern stripes = patternOf("stripes");
   const auto before = kept();
   int count = 0;

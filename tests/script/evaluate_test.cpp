@@ -90,7 +90,7 @@ static Json valuesOf(const plan::PipelineDesc& pipeline) {
   return values;
 }
 
-// The description; for a failure, the error.
+// A description and an error; one of the two is empty.
 using Answered = std::pair<plan::PipelineDesc, std::string>;
 
 template <class Get>
@@ -124,7 +124,7 @@ TEST_F(Evaluate, BindsLiteralsDefaultsAndPipelineParameters) {
   plan::PipelineDesc p = evaluate();
   const plan::NodeDesc& far = nodeOf(p, "far");
   EXPECT_EQ(bindingOf(far, "tile").follows, "tile");
-  EXPECT_EQ(std::get<double>(*bindingOf(far, "bias").value), 1.0);  // an integer written for a number is a number
+  EXPECT_EQ(std::get<double>(*bindingOf(far, "bias").value), 1.0);  // an integer given for a number becomes a number
   EXPECT_EQ(std::get<std::string>(*bindingOf(far, "order").value), "columns");
   EXPECT_EQ(std::get<bool>(*bindingOf(nodeOf(p, "near"), "fast").value), false);
   EXPECT_EQ(std::get<int64_t>(*bindingOf(nodeOf(p, "near"), "tile").value), 20);
@@ -143,7 +143,8 @@ TEST_F(Evaluate, KeepsThePlaceOfEveryField) {
   EXPECT_EQ(bindingOf(nodeOf(p, "near"), "order").place.line, 35);
 }
 
-// Two passes and a pipeline that share `tile`; `bias` has the same name in both, but is declared twice.
+// Writes two passes and a pipeline that share `tile`; `bias` has the same name in both passes but separate
+// declarations.
 static void writeShared(const TestHome& home, const std::string& tile) {
   home.write("passes/lib/blur.lua",
              "local param = require \"strobe.param\"\n"
@@ -166,24 +167,25 @@ static void writeShared(const TestHome& home, const std::string& tile) {
                  "    return { color = one {}.color, near = two {}.color, far = far.color }\n  end,\n}\n");
 }
 
-TEST_F(Evaluate, NodesFollowThePipelinesParameterThatIsTheSame) {
+TEST_F(Evaluate, NodesFollowASharedPipelineParameter) {
   writeShared(home_, "blur.tile { 30 }");
   plan::PipelineDesc p = evaluatePipeline(home_.home(), {"shared", {}});
   EXPECT_EQ(bindingOf(nodeOf(p, "one"), "tile").follows, "tile");
   EXPECT_EQ(bindingOf(nodeOf(p, "two"), "tile").follows, "tile");
-  EXPECT_EQ(std::get<int64_t>(*bindingOf(nodeOf(p, "far"), "tile").value), 7) << "what the call gives wins";
-  EXPECT_EQ(std::get<double>(*bindingOf(nodeOf(p, "one"), "bias").value), 0.5) << "the same name is not enough";
+  EXPECT_EQ(std::get<int64_t>(*bindingOf(nodeOf(p, "far"), "tile").value), 7) << "the call's value wins";
+  EXPECT_EQ(std::get<double>(*bindingOf(nodeOf(p, "one"), "bias").value), 0.5)
+      << "an equal name does not share a parameter";
   EXPECT_EQ(bindingOf(nodeOf(p, "far"), "bias").follows, "bias");
   EXPECT_EQ(valuesOf(p)["tile"], 30);
   const plan::ParamDesc* tile = plan::paramOf(p, plan::Role::Tile);
   ASSERT_NE(tile, nullptr);
   EXPECT_EQ(tile->name, "tile");
   EXPECT_EQ(tile->doc, "side");
-  EXPECT_EQ(std::get<int64_t>(p.passes[1].params[1].default_value), 40) << "a pass has a default of its own";
+  EXPECT_EQ(std::get<int64_t>(p.passes[1].params[1].default_value), 40) << "the pass keeps its own default";
   EXPECT_EQ(p.passes[1].params[1].doc, "y");
 }
 
-TEST_F(Evaluate, ASharedParameterChangesOnlyWhatItMay) {
+TEST_F(Evaluate, SharedParameterChangesOnlyAllowedFields) {
   auto error = [&](const std::string& tile) -> std::string {
     writeShared(home_, tile);
     try {
@@ -204,7 +206,7 @@ TEST_F(Evaluate, ASharedParameterChangesOnlyWhatItMay) {
             "has the range 1 to 200");
 }
 
-TEST_F(Evaluate, PipelinesSayWhatTheyAre) {
+TEST_F(Evaluate, PipelinesStateTheirKindAndRegions) {
   writeShared(home_, "blur.tile");
   std::string text = readText(home_.folder() / "scripts/pipelines/shared.lua");
   text.replace(text.find("doc = \"x\""), 9,
@@ -213,13 +215,13 @@ TEST_F(Evaluate, PipelinesSayWhatTheyAre) {
   home_.write("scripts/pipelines/broken.lua", "return nil +");
   plan::PipelineDesc p = evaluatePipeline(home_.home(), {"shared", {}});
   EXPECT_EQ(p.kind, plan::PipelineDesc::Kind::Truth);
-  ASSERT_EQ(p.regions.size(), 1u) << "those of the outputs that this graph has";
+  ASSERT_EQ(p.regions.size(), 1u) << "only regions with an output in this graph";
   EXPECT_EQ(p.regions[0].name, "near");
   EXPECT_EQ(pipelineOfKind(home_.home(), plan::PipelineDesc::Kind::Truth), "shared");
   EXPECT_THROW(pipelineOfKind(home_.home(), plan::PipelineDesc::Kind::Sharp), Error);
 }
 
-TEST_F(Evaluate, PresetsAreListedWithWhatTheySet) {
+TEST_F(Evaluate, PresetsAreListedWithTheirValues) {
   plan::PipelineDesc p = evaluate({{"preset", "coarse"}});
   EXPECT_EQ(p.preset, "coarse");
   ASSERT_EQ(p.presets.size(), 2u);
@@ -231,7 +233,7 @@ TEST_F(Evaluate, PresetsAreListedWithWhatTheySet) {
   EXPECT_EQ(plan::paramNamed(p, "preset"), nullptr);
 }
 
-TEST_F(Evaluate, ManyAtOnceAreAsOneAtATime) {
+TEST_F(Evaluate, BatchEqualsSingleEvaluations) {
   std::vector<PipelineRequest> requests = {{"sample", {}},
                                            {"sample", {{"tile", "0"}}},
                                            {"nowhere", {}},
@@ -254,8 +256,8 @@ TEST_F(Evaluate, ManyAtOnceAreAsOneAtATime) {
   }
 }
 
-// What was loaded for some is kept for those that are asked later, whatever became of others, until a file changes.
-TEST_F(Evaluate, AskedAgainTheyAreAsBefore) {
+// Scripts stay loaded for later requests, even after a failed request, until a file changes.
+TEST_F(Evaluate, RepeatedRequestsGiveEqualResults) {
   std::string text = readText(home_.folder() / "scripts/pipelines/sample.lua");
   auto loop = text;
   loop.insert(loop.find("build = function(p)") + 19, " while p.method() == \"truth\" do end ");
@@ -280,7 +282,7 @@ TEST_F(Evaluate, AskedAgainTheyAreAsBefore) {
   EXPECT_NE(evaluatePipelines(home_.home(), {{"sample", {}}})[0].error, nullptr);
 }
 
-TEST_F(Evaluate, EachOfManyHasAStateOfItsOwn) {
+TEST_F(Evaluate, RequestsOfABatchShareNoState) {
   for (const char* name : {"a", "b", "c"})
     home_.write(
         fmt::format("scripts/scenes/{}.lua", name),
@@ -290,7 +292,7 @@ TEST_F(Evaluate, EachOfManyHasAStateOfItsOwn) {
     EXPECT_EQ(outcome.take().dump(), R"({"n":1})");
 }
 
-TEST_F(Evaluate, LoopHoldsTheNodesOfItsBody) {
+TEST_F(Evaluate, LoopContainsTheNodesOfItsBody) {
   plan::PipelineDesc p = evaluate({{"method", "truth"}});
   ASSERT_EQ(p.loops.size(), 1u);
   const plan::LoopDesc& loop = p.loops[0];
@@ -305,7 +307,7 @@ TEST_F(Evaluate, LoopHoldsTheNodesOfItsBody) {
   EXPECT_EQ(p.passes[0].updates[0].format, "rgba32f");
 }
 
-TEST_F(Evaluate, LoopsOverPartsHaveNoTimesToChoose) {
+TEST_F(Evaluate, LoopsOverPartsHaveNoTimes) {
   auto write = [&](const std::string& more) {
     home_.write("scripts/pipelines/sample.lua", R"(local pipeline = require "strobe.pipeline"
 local parts = require "strobe.parts"
@@ -355,7 +357,7 @@ TEST_F(Evaluate, NodeSettingsReplaceBindings) {
   EXPECT_EQ(std::get<bool>(*bindingOf(nodeOf(p, "near"), "fast").value), true);
 }
 
-TEST_F(Evaluate, ThePipelineAloneSetsWhatIsWired) {
+TEST_F(Evaluate, OnlyThePipelineSetsWiredParameters) {
   home_.write("passes/mask.lua", R"(local pass = require "strobe.pass"
 return pass.compute { name = "mask", shader = "mask", doc = "x", size = "frame",
   writes = { mask = { format = "rgba16f", doc = "x" } },
@@ -394,7 +396,7 @@ TEST_F(Evaluate, WrongSettingsAreRefusedWithTheNearestName) {
             "--set a=1: the pipeline has no parameter 'a'\n--set far.b=1: node 'far' has no parameter 'b'");
 }
 
-TEST_F(Evaluate, NamesAndPaths) {
+TEST_F(Evaluate, ListsNamesAndRefusesUnknownOnes) {
   home_.write("scripts/pipelines/other.lua", kPipeline);
   home_.write("scripts/scenes/ball.lua", "return {}");
   EXPECT_EQ(pipelineNames(home_.home()), (std::vector<std::string>{"other", "sample"}));
@@ -408,7 +410,7 @@ TEST_F(Evaluate, NamesAndPaths) {
   EXPECT_THROW(evaluatePipeline(home_.home(), {"nowhere/x.lua", {}}), Error);
 }
 
-TEST_F(Evaluate, ANameHasOneSpelling) {
+TEST_F(Evaluate, NameHasOneSpelling) {
   home_.write("scripts/pipelines/of/other.lua", kPipeline);
   home_.write("scripts/pipelines/lib/part.lua", kPipeline);
   EXPECT_EQ(evaluatePipeline(home_.home(), {"of/other", {}}).name, "other");
@@ -416,7 +418,7 @@ TEST_F(Evaluate, ANameHasOneSpelling) {
     EXPECT_THROW(evaluatePipeline(home_.home(), {name, {}}), Error) << name;
 }
 
-TEST_F(Evaluate, AFileOfTheUsersOwnFindsItsNeighbours) {
+TEST_F(Evaluate, UserFileFindsItsNeighbours) {
   std::string own = kPipeline;
   std::string name = "require \"passes.smear\"";
   own.replace(own.find(name), name.size(), "require \"lib.mine\"");
@@ -448,7 +450,7 @@ TEST_F(Evaluate, DependenciesAreReportedOnSuccessAndOnFailure) {
   EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](auto& file) { return file.shown == "passes/smear.lua"; }));
 }
 
-TEST_F(Evaluate, AllPassesByName) {
+TEST_F(Evaluate, AllPassesAreSortedByName) {
   std::vector<plan::PassDesc> passes = evaluateAllPasses(home_.home());
   ASSERT_EQ(passes.size(), 4u);
   EXPECT_EQ(passes[0].name, "add");
@@ -510,9 +512,9 @@ TEST_F(Evaluate, DataGetsItsArguments) {
   EXPECT_EQ(result.dump(), R"({"half":1.5,"twice":6})");
 }
 
-// ---- presets of files
+// ---- Preset files
 
-// A pipeline of its own beside the file of a preset.
+// A preset file outside the folder of pipelines.
 class PresetFile : public Evaluate {
  protected:
   std::string write(const std::string& table) {
@@ -521,17 +523,18 @@ class PresetFile : public Evaluate {
   }
 };
 
-TEST_F(PresetFile, IsTakenWhereANameIs) {
+TEST_F(PresetFile, IsUsedLikeANamedPreset) {
   std::string file = write("  doc = \"found\",\n  set = { tile = 8, method = \"truth\" },\n");
   plan::PipelineDesc p = evaluate({{"preset", file}});
   EXPECT_EQ(p.preset, file);
   EXPECT_EQ(valuesOf(p)["tile"], 8);
-  EXPECT_EQ(valuesOf(p)["samples"], 16) << "not of the default preset";
-  EXPECT_EQ(p.loops.size(), 1u) << "it decides the graph";
+  EXPECT_EQ(valuesOf(p)["samples"], 16) << "not from the default preset";
+  EXPECT_EQ(p.loops.size(), 1u) << "the preset decides the graph";
   ASSERT_EQ(p.presets.size(), 3u);
   EXPECT_EQ(p.presets[2].doc, "found");
-  EXPECT_EQ(valuesOf(evaluate({{"tile", "4"}, {"preset", file}}))["tile"], 4) << "a setting of its own wins";
-  EXPECT_EQ(valuesOf(evaluate({{"preset", "tried/found.lua"}}))["tile"], 8) << "of the home where it is not here";
+  EXPECT_EQ(valuesOf(evaluate({{"tile", "4"}, {"preset", file}}))["tile"], 4) << "a setting overrides the preset";
+  EXPECT_EQ(valuesOf(evaluate({{"preset", "tried/found.lua"}}))["tile"], 8)
+      << "found in the home if not in the current folder";
   Outcome<plan::PipelineDesc> one = std::move(evaluatePipelines(home_.home(), {{"sample", {{"preset", file}}}})[0]);
   EXPECT_EQ(valuesOf(one.take())["tile"], 8);
 }
@@ -547,7 +550,7 @@ TEST_F(PresetFile, IsADependency) {
   EXPECT_EQ(valuesOf(evaluatePipeline(home_.home(), {"sample", {{"preset", file}}, edited}))["tile"], 2);
 }
 
-TEST_F(PresetFile, IsOneOfAPipelineWithoutPresets) {
+TEST_F(PresetFile, AppliesToAPipelineWithoutPresets) {
   std::string text = kPipeline;
   size_t from = text.find("  presets = {"), to = text.find("  build =");
   home_.write("scripts/pipelines/sample.lua", text.erase(from, to - from));
@@ -577,7 +580,7 @@ TEST_F(PresetFile, IsRefusedAtTheLineOfTheMistake) {
             "--set preset=tried/gone.lua: preset file 'tried/gone.lua' does not exist");
 }
 
-TEST_F(PresetFile, ThatIsGoneIsDroppedWhereSettingsMayBe) {
+TEST_F(PresetFile, MissingFileIsDroppedIfAllowed) {
   std::vector<DroppedSetting> dropped;
   plan::PipelineDesc p =
       evaluatePipeline(home_.home(), {"sample", {{"preset", "tried/gone.lua"}}}, nullptr, {}, &dropped);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fields of what the library of pipelines returns: a misspelt one is an error, never nil.
+// Fields of tables returned by the pipeline library: a misspelt field is an error, never nil.
 #include <gtest/gtest.h>
 
 #include "common/temporary_folder.h"
@@ -9,7 +9,7 @@
 namespace strobe::script {
 namespace fields_test {
 
-// What evaluating a pipeline says, whose build has a local `wrong` with this value in its line 12.
+// Error of evaluating a pipeline whose build function has `local wrong = value` in line 12.
 static std::string errorWith(const std::string& value) {
   static const strobe::testing::TemporaryFolder folder;
   const std::string file = folder / "x.lua";
@@ -37,7 +37,7 @@ end })");
   return "";
 }
 
-TEST(Fields, MisspeltOnesAreErrors) {
+TEST(Fields, MisspeltFieldsAreErrors) {
   for (const auto& [value, error] : {
            std::pair<std::string, std::string>{"seen.detph", "a layer has no 'detph'; did you mean 'depth'?"},
            {"images.colr", "the inputs of a gather has no 'colr'; did you mean 'color'?"},
@@ -52,7 +52,7 @@ TEST(Fields, MisspeltOnesAreErrors) {
     EXPECT_TRUE(errorWith(value).starts_with(error)) << value << ": " << errorWith(value);
 }
 
-TEST(Fields, ThatMayBeAbsentReadAsNil) {
+TEST(Fields, OptionalFieldsReadAsNil) {
   for (const char* value :
        {"assert(seen.depth)", "assert(seen.curve == nil)", "assert(images.background_depth == nil)",
         "assert(seen:get('mask') == nil)", "assert(seen:get('depth') == seen.depth)",
@@ -63,8 +63,8 @@ TEST(Fields, ThatMayBeAbsentReadAsNil) {
             "a thing has no 'seventeen'; it has one, two");
 }
 
-// A module's table: names are closed, entries of a list are not.
-TEST(Fields, OfModulesThatAreLists) {
+// A module's table: unknown names are errors, missing list entries are nil.
+TEST(Fields, OfModulesMayBeLists) {
   TestHome home;
   home.write("passes/lib/names.lua", "return { 'a', 'b', size = 2 }");
   home.write("x.lua", R"(local names = require "passes.lib.names"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A home folder of its own for a test: the library of the source tree, and the passes and pipelines a test writes.
+// A home folder for a test: the library of the source tree, and the passes and pipelines that the test writes.
 #pragma once
 
 #include <unistd.h>
@@ -14,7 +14,7 @@
 
 namespace strobe::script {
 
-// Passes that tests wire.
+// Passes for test pipelines.
 inline const std::map<std::string, std::string>& samplePasses() {
   static const std::map<std::string, std::string> passes = {
       {"passes/base.lua", R"(local pass = require "strobe.pass"
@@ -84,7 +84,7 @@ class TestHome {
   TestHome& operator=(const TestHome&) = delete;
 
   const Path& folder() const { return folder_; }
-  // Scripts are evaluated by the program of the environment, or another.
+  // Scripts are evaluated by the program of the environment or by `program`.
   Home home() const { return home(Home::fromEnvironment().program()); }
   Home home(const Path& program) const { return Home({folder_}, {}, program); }
 

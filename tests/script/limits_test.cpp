@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a hostile or broken script can do: end in an error, soon, and nothing else.
+// A hostile or broken script ends with an error, soon, and has no other effect.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ static std::string failureOf(const TestHome& home, const std::string& name, cons
   }
 }
 
-TEST(Limits, AnEndlessLoopIsStoppedAtItsLine) {
+TEST(Limits, EndlessLoopIsStoppedAtItsLine) {
   TestHome home;
   EXPECT_EQ(failureOf(home, "a", "local x = 1\nwhile true do x = x + 1 end\nreturn {}"),
             "scripts/scenes/a.lua:2: stopped: more than 0.3 s of processor time (the limit for a script); "
@@ -34,8 +34,8 @@ TEST(Limits, AnEndlessLoopIsStoppedAtItsLine) {
             "scripts/scenes/b.lua:1: stoppe");
 }
 
-// None of these returns to an instruction of Lua where a count or a hook could stop it.
-TEST(Limits, WhatNeverReturnsToLuaIsStoppedToo) {
+// No call here returns to a Lua instruction where a count or a hook could stop it.
+TEST(Limits, EndlessNativeCallsAreStopped) {
   const char* endless[] = {
       "string.rep('', 1 << 62)",
       "table.move({}, 1, 1 << 60, 2)",
@@ -67,7 +67,7 @@ TEST(Limits, WhatNeverReturnsToLuaIsStoppedToo) {
   EXPECT_LT(clockSeconds() - begin_s, 10);
 }
 
-TEST(Limits, AMemoryBombIsStopped) {
+TEST(Limits, MemoryBombIsStopped) {
   TestHome home;
   const char* bombs[] = {
       "local t = {} for i = 1, 1 << 40 do t[i] = { i } end return t",
@@ -80,14 +80,14 @@ TEST(Limits, AMemoryBombIsStopped) {
     EXPECT_EQ(failureOf(home, name, text, kSmall),
               "scripts/scenes/" + name + ".lua: stopped: more than 64 MB of memory (the limit for a script)");
   }
-#ifndef __SANITIZE_ADDRESS__  // which cannot run in a limited address space
-  // As data its copies outgrow the address space before the script outgrows its heap.
+#ifndef __SANITIZE_ADDRESS__  // which needs an unlimited address space
+  // Converted to data, the nested copies exceed the address space before the script exceeds its heap.
   std::string wide = failureOf(home, "wide", "local a = {} for i = 1, 20 do a = { a, a } end return a", kSmall);
   EXPECT_NE(wide.find("scripts/scenes/wide.lua: "), std::string::npos) << wide;
 #endif
 }
 
-TEST(Limits, GarbageIsCollectedAtTheLimitAloneAndFinalizersNeverRun) {
+TEST(Limits, GarbageIsCollectedAtTheLimitWithoutFinalizers) {
   TestHome home;
   const char* text =
       "local ran = 0 setmetatable({}, { __gc = function() ran = ran + 1 end }) "
@@ -103,7 +103,7 @@ TEST(Limits, DeepRecursionIsAnError) {
   EXPECT_EQ(failureOf(home, "nested", nested).substr(0, 26), "scripts/scenes/nested.lua:");
 }
 
-TEST(Sandbox, HasNoWayOut) {
+TEST(Sandbox, HasNoEscape) {
   TestHome home;
   home.write("secret.lua", "return { secret = true }");
   home.write("passes/bytecode.lua", std::string("\x1bLua") + "T");
@@ -169,9 +169,8 @@ return { seen = seen, random = { math.random(), math.random(1000) }, address = t
   for (int i = 0; i < 10; ++i) ASSERT_EQ(evaluateScene(home.home(), "order", {}).dump(), first);
 }
 
-// false, true, numbers of both kinds by what they are worth, texts by their bytes; what has gone by its turn is left
-// out.
-TEST(Sandbox, PairsComeInOneOrder) {
+// Order: false, true, integers and floats by value, texts by bytes. A key removed before its turn is left out.
+TEST(Sandbox, PairsHaveAFixedOrder) {
   TestHome home;
   home.write("scripts/scenes/order.lua", R"(
 local t = { b = 1, a = 1, B = 1, ["a\0b"] = 1, [true] = 1, [false] = 1, [2] = 1, [1.5] = 1, [-1] = 1,
@@ -228,7 +227,7 @@ TEST(Sandbox, ModulesMayNotRequireThemselves) {
   EXPECT_EQ(failureOf(home, "x", "return require 'scripts.a'"), "scripts/b.lua:1: module 'scripts.a' requires itself");
 }
 
-TEST(Sandbox, AProgramThatIsNoChildIsRefused) {
+TEST(Sandbox, OtherProgramsAreRefused) {
   TestHome home;
   home.write("scripts/scenes/x.lua", "return {}");
   for (const char* program : {"/bin/true", "/bin/false", "/bin/echo", "/nonexistent"})

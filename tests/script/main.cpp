@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tests start script children; without STROBE_PROGRAM they start themselves.
+// The tests start script processes; without STROBE_PROGRAM they start themselves.
 #include <gtest/gtest.h>
 
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seeded mistakes: one change to good files each, and the whole error that must come of it.
+// Seeded mistakes: one change to valid files each, and the complete expected error.
 #include <gtest/gtest.h>
 
 #include "home.h"
@@ -63,7 +63,7 @@ static std::string replaced(std::string text, const std::string& from, const std
   return text.replace(at, from.size(), to);
 }
 
-TEST(Mistakes, TheUnchangedPipelineIsGood) {
+TEST(Mistakes, UnchangedPipelineIsValid) {
   TestHome home;
   home.write(kSample, kPipeline);
   EXPECT_NO_THROW(evaluatePipeline(home.home(), {"sample", {}}));

@@ -46,7 +46,7 @@ TEST(Place, FindsTheLineOfAnEntryOfAList) {
   EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "5"}), 2);
 }
 
-TEST(Place, StaysAtTheCallWhereThereIsNoSuchField) {
+TEST(Place, StaysAtTheCallWithoutSuchAField) {
   EXPECT_EQ(LuaSource(kSource).lineOfKey(3, {"reads", "colour"}), 7);
   EXPECT_EQ(LuaSource(kSource).lineOfKey(8, {"doc", "colour"}), 8);
   EXPECT_EQ(LuaSource(kSource).lineOfKey(8, {"colour"}), 8);
@@ -58,7 +58,7 @@ TEST(Place, StaysAtTheCallWhereThereIsNoSuchField) {
   EXPECT_EQ(LuaSource("--[==[").lineOfKey(1, {"a"}), 1);
 }
 
-TEST(Place, TellsWhetherAFieldIsRead) {
+TEST(Place, DetectsReadsOfAField) {
   EXPECT_TRUE(LuaSource("x = p.tile").readsField("tile"));
   EXPECT_TRUE(LuaSource("x = p . tile()").readsField("tile"));
   EXPECT_FALSE(LuaSource("x = { tile = 1 } -- p.tile").readsField("tile"));

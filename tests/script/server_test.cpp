@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results of a server's processes that have loaded files are those of a process that reads all files itself.
+// A server process with loaded files gives the same results as a process that reads all files itself.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -36,8 +36,8 @@ class Server : public ::testing::Test {
     evaluatePipeline(home_.home(), {"sample", {}}, &files_);
   }
 
-  // Lets the server load the files as they are now. A file that changes within the same tick of the clock as before
-  // would be read again in any case.
+  // Lets the server load the current files. A file that changes again within the same clock tick would be read again
+  // anyway.
   void load() {
     settle();
     failure();
@@ -50,7 +50,7 @@ class Server : public ::testing::Test {
     return evaluatePipeline(home_.home(), {"sample", {}, texts}, &files_);
   }
 
-  // True if the documentation of a pass has the text.
+  // True if the documentation of a pass contains the text.
   static bool says(const plan::PipelineDesc& pipeline, const std::string& text) {
     return std::any_of(pipeline.passes.begin(), pipeline.passes.end(),
                        [&](const plan::PassDesc& pass) { return pass.doc.find(text) != std::string::npos; });
@@ -81,7 +81,7 @@ class Server : public ::testing::Test {
   std::vector<Dependency> files_;
 };
 
-TEST_F(Server, ChangesNoResult) {
+TEST_F(Server, GivesEqualResults) {
   const plan::PipelineDesc plain = evaluate({{"/nowhere.lua", ""}});
   const std::vector<Dependency> read = files_;
   load();
@@ -94,7 +94,7 @@ TEST_F(Server, ChangesNoResult) {
   }
 }
 
-TEST_F(Server, WhatChangesMeanwhileIsReadAgain) {
+TEST_F(Server, ChangedFilesAreReadAgain) {
   const std::string before = hashOf("passes/smear.lua");
   load();
   home_.write("passes/smear.lua", smearWith("another text"));
@@ -102,7 +102,7 @@ TEST_F(Server, WhatChangesMeanwhileIsReadAgain) {
   EXPECT_NE(hashOf("passes/smear.lua"), before);
 }
 
-TEST_F(Server, TextsStandInThePlaceOfFiles) {
+TEST_F(Server, TextsReplaceFiles) {
   load();
   const Path file = home_.folder() / "passes/smear.lua";
   EXPECT_TRUE(says(evaluate({{file, smearWith("given")}}), "given"));
@@ -111,7 +111,7 @@ TEST_F(Server, TextsStandInThePlaceOfFiles) {
   EXPECT_TRUE(says(evaluate({{file, samplePasses().at("passes/smear.lua")}}), "average"));
 }
 
-TEST_F(Server, WhatIsBrokenIsReportedWhenItIsAskedFor) {
+TEST_F(Server, BrokenFilesAreReportedOnRequest) {
   home_.write("passes/smear.lua", "return {");
   load();
   EXPECT_EQ(failure().substr(0, 19), "passes/smear.lua:1:");
@@ -123,7 +123,7 @@ TEST_F(Server, WhatIsBrokenIsReportedWhenItIsAskedFor) {
   EXPECT_NE(failure().find("unknown module 'passes.smear'"), std::string::npos);
 }
 
-TEST_F(Server, AProjectsFileTakesThePlaceOfAShippedOne) {
+TEST_F(Server, ProjectFileReplacesAShippedFile) {
   TestHome project;
   const Home both({project.folder(), home_.folder()}, {}, home_.home().program());
   std::vector<Dependency> files;
@@ -137,7 +137,7 @@ TEST_F(Server, AProjectsFileTakesThePlaceOfAShippedOne) {
   EXPECT_TRUE(says(evaluated(), "the project's"));
 }
 
-// Children of this process, by the number of their parent in /proc.
+// Children of this process, found by the parent process number in /proc.
 static std::vector<pid_t> children() {
   std::vector<pid_t> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -158,7 +158,7 @@ TEST_F(Server, IsReplacedIfItEnds) {
   EXPECT_EQ(evaluate(), plain);
 }
 
-TEST_F(Server, IsOneForManyThreads) {
+TEST_F(Server, IsSharedByThreads) {
   const plan::PipelineDesc plain = evaluate();
   const std::vector<pid_t> before = children();
   std::vector<std::jthread> threads;

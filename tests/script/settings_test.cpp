@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values put into a description without its scripts are those that the scripts put there.
+// Settings applied to a description without its scripts give the values that the scripts give.
 #include "plan/settings.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace settings_test {
 
 using plan::ParamDesc;
 
-// In the middle of the range, or another choice.
+// The middle of the range, or another choice.
 plan::Value otherValue(const ParamDesc& param) {
   if (param.type == ParamDesc::Type::Bool) return !std::get<bool>(param.default_value);
   if (param.type == ParamDesc::Type::Choice) return param.choices.back();
@@ -21,7 +21,7 @@ plan::Value otherValue(const ParamDesc& param) {
   return middle;
 }
 
-// Every parameter that decides no graph, of the pipeline and of its nodes.
+// A new value for every parameter, of the pipeline and its nodes, that does not change the graph.
 Settings others(const plan::PipelineDesc& pipeline) {
   Settings sets;
   for (const ParamDesc& param : pipeline.params)
@@ -33,7 +33,7 @@ Settings others(const plan::PipelineDesc& pipeline) {
   return sets;
 }
 
-TEST(Settings, PutInAsTheScriptsDo) {
+TEST(Settings, EqualTheScriptsResult) {
   size_t tried = 0;
   for (const std::string& name : pipelineNames(home())) {
     SCOPED_TRACE(name);
@@ -45,19 +45,19 @@ TEST(Settings, PutInAsTheScriptsDo) {
   EXPECT_GT(tried, 50u);
 }
 
-TEST(Settings, ThatDecideTheGraphAreNoted) {
+TEST(Settings, ThatDecideTheGraphAreRecognised) {
   plan::PipelineDesc hybrid = evaluatePipeline(home(), {"hybrid", {}});
   for (const char* name : {"preset", "edge"}) EXPECT_TRUE(plan::decidesGraph(hybrid, name)) << name;
   for (const char* name : {"tile", "limit", "gbuffer.x"}) EXPECT_FALSE(plan::decidesGraph(hybrid, name)) << name;
 }
 
-TEST(Settings, WrongOnesAreRefused) {
+TEST(Settings, WrongSettingsAreRefused) {
   plan::PipelineDesc hybrid = evaluatePipeline(home(), {"hybrid", {}});
   for (const Setting& wrong : Settings{{"samples", 0}, {"samples", "many"}, {"sampels", 3}, {"nodule.x", 1}})
     EXPECT_THROW(plan::withSettings(hybrid, {wrong}), Error) << wrong.first;
 }
 
-TEST(Settings, ReadAsTheyAreTyped) {
+TEST(Settings, AreParsedFromText) {
   auto value = [](const char* text) { return settingFromText(std::string("x=") + text).second; };
   EXPECT_EQ(value("8"), plan::Value(int64_t{8}));
   EXPECT_EQ(value("8.0"), plan::Value(8.0));

@@ -16,7 +16,7 @@
 namespace strobe::script {
 namespace types_test {
 
-// Fields by class, of lines like "---@field name? type"; "[1]?" is "1".
+// Fields by class, from lines like "---@field name? type"; "[1]?" is "1".
 static std::map<std::string, std::set<std::string>> declaredFields() {
   std::map<std::string, std::set<std::string>> fields;
   std::istringstream lines(readText(sourceFolder() / "scripts/types.lua"));

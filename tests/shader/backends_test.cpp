@@ -15,14 +15,14 @@ gpu::DeviceInfo deviceWith(const std::vector<std::string>& features, bool softwa
   return info;
 }
 
-TEST(Backends, AutoTakesQueriesOfADeviceThatIsNotSoftware) {
+TEST(Backends, AutoUsesRayQueriesExceptOnSoftwareDevices) {
   EXPECT_EQ(chooseBackend(deviceWith({"rayQuery", "rayTracingPipeline"}), "auto"), Backend::Query);
   EXPECT_EQ(chooseBackend(deviceWith({"rayQuery", "rayTracingPipeline"}, true), "auto"), Backend::Bvh);
   EXPECT_EQ(chooseBackend(deviceWith({"rayTracingPipeline"}), "auto"), Backend::Bvh);
   EXPECT_EQ(chooseBackend(deviceWith({}), "auto"), Backend::Bvh);
 }
 
-TEST(Backends, WhatIsAskedForByNameIsTakenOrRefused) {
+TEST(Backends, NamedBackendIsUsedOrRefused) {
   EXPECT_EQ(chooseBackend(deviceWith({"rayTracingPipeline"}), "pipeline"), Backend::Pipeline);
   EXPECT_THROW(chooseBackend(deviceWith({"rayTracingPipeline"}), "query"), Error);
 }

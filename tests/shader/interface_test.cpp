@@ -54,22 +54,22 @@ const char* kGood =
     "  imageStore(result_img, p, f * texelFetch(depth_tex, p, 0));\n"
     "}\n";
 
-TEST_F(Shaders, AChoiceThatAParameterLacksIsNamed) {
+TEST_F(Shaders, UnknownChoiceIsNamed) {
   std::string text = kGood;
   text.replace(text.find("mode_double"), 11, "mode_dubble");
-  EXPECT_EQ(errorOf(text), "");  // the preprocessor takes the name as 0
+  EXPECT_EQ(errorOf(text), "");  // the preprocessor replaces the unknown name by 0
   std::vector<std::string> problems = unused({folder_ / "scale.glsl"});
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_NE(problems[0].find("compares PARAM_mode with mode_dubble"), std::string::npos) << problems[0];
   EXPECT_NE(problems[0].find("did you mean 'mode_double'"), std::string::npos) << problems[0];
 }
 
-TEST_F(Shaders, NamesNeedNoNumbers) {
+TEST_F(Shaders, ChoicesAreUsedByName) {
   EXPECT_EQ(errorOf(kGood), "");
   EXPECT_TRUE(unused({folder_ / "scale.glsl"}).empty());
 }
 
-TEST_F(Shaders, AParameterThatDecidesAFormatNeedNotBeNamed) {
+TEST_F(Shaders, ParameterOfAFormatMayBeUnused) {
   interface_.variants.push_back({"precision", {"full", "half"}, 0});
   EXPECT_EQ(errorOf(kGood), "");
   EXPECT_EQ(unused({folder_ / "scale.glsl"}).size(), 1u);
@@ -99,25 +99,25 @@ TEST_F(Shaders, ErrorsInsideAnIncludeNameTheInclude) {
   EXPECT_NE(error.find("part.glsl:2: "), std::string::npos) << error;
 }
 
-TEST_F(Shaders, ErrorsOfTheCodeBehindNameTheShader) {
+TEST_F(Shaders, ErrorsAfterTheShaderNameTheShader) {
   std::string misspelt = kGood;
   misspelt.replace(misspelt.find("run"), 3, "ran");
   std::string error = errorOf(misspelt);
   EXPECT_NE(error.find("scale.glsl: no function 'void run(ivec2 pixel)'"), std::string::npos) << error;
-  error = errorOf(std::string(kGood, strlen(kGood) - 2));  // without its last brace
+  error = errorOf(std::string(kGood, strlen(kGood) - 2));  // without the last brace
   EXPECT_NE(error.find("scale.glsl: "), std::string::npos) << error;
   EXPECT_NE(error.find("after the shader"), std::string::npos) << error;
 }
 
-TEST_F(Shaders, WhatIsDeclaredMustBeUsed) {
+TEST_F(Shaders, UnusedDeclarationsAreReported) {
   Path file = write("scale.glsl", "void run(ivec2 p) { imageStore(result_img, p, vec4(1)); }\n");
   std::vector<std::string> problems = unused({file});
-  EXPECT_EQ(problems.size(), 3u);  // the read, the parameter and the variant
+  EXPECT_EQ(problems.size(), 3u);  // unused: the read, the parameter and the variant
   for (const std::string& problem : problems)
     EXPECT_NE(problem.find("passes/scale.lua:3"), std::string::npos) << problem;
 }
 
-TEST_F(Shaders, CommentsUseNothing) {
+TEST_F(Shaders, CommentsAreNotUses) {
   Path file = write("scale.glsl",
                     "// depth_tex, params.factor\n/* PARAM_mode\n params.factor */\n"
                     "void run(ivec2 p) { imageStore(result_img, p, vec4(other.factor)); }\n");
@@ -127,7 +127,7 @@ TEST_F(Shaders, CommentsUseNothing) {
   EXPECT_TRUE(unused({file}).empty());
 }
 
-TEST_F(Shaders, EveryFileThatWasReadIsReported) {
+TEST_F(Shaders, EveryReadFileIsReported) {
   write("part.glsl", "float part() { return 1.0; }\n");
   Path file = write("scale.glsl", std::string("#include \"part.glsl\"\n") + kGood);
   Compiled compiled = compilePass(home(), interface_, file, ShaderStage::Compute);
@@ -135,8 +135,8 @@ TEST_F(Shaders, EveryFileThatWasReadIsReported) {
   EXPECT_EQ(compiled.files.front(), file);
 }
 
-// Of a pass that sees the scene: what it declares, and the code that reads vertices, where nothing bends.
-TEST_F(Shaders, WhatASceneDoesNotHaveLeavesNoTrace) {
+// A pass that reads the scene without deformed meshes: no declaration and no code for deformed vertices.
+TEST_F(Shaders, FeaturesThatTheSceneLacksAreNotCompiled) {
   auto words = [&](bool bends) {
     Interface in;
     in.pass = "visibility";

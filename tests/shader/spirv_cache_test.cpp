@@ -34,7 +34,7 @@ class SpirvCaches : public ::testing::Test {
   const Path folder_ = temporary_.path();
 };
 
-TEST_F(SpirvCaches, WhatWasKeptIsFoundByItsKey) {
+TEST_F(SpirvCaches, FindsStoredCodeByKey) {
   const SpirvCache cache(folder_);
   cache.keep("a", {{1, 2, 3}, {4}});
   const std::optional<KeptCode> found = cache.find("a");
@@ -44,7 +44,7 @@ TEST_F(SpirvCaches, WhatWasKeptIsFoundByItsKey) {
   EXPECT_FALSE(cache.find("b"));
 }
 
-TEST_F(SpirvCaches, WhatIsNoCodeIsNotThere) {
+TEST_F(SpirvCaches, IgnoresDamagedCode) {
   const SpirvCache cache(folder_);
   cache.keep("a", {{1, 2, 3}, {4}});
   const KeptFiles files(folder_ / "spirv");
@@ -55,7 +55,7 @@ TEST_F(SpirvCaches, WhatIsNoCodeIsNotThere) {
   }
 }
 
-TEST_F(SpirvCaches, CompilesWhatItHasNotSeen) {
+TEST_F(SpirvCaches, CompilesOnlyChangedCode) {
   write("main.glsl", "#include \"part.glsl\"\n#if 0\n#include \"other.glsl\"\n#endif\nvoid main() { part(); }\n");
   write("part.glsl", "void part() {}\n");
   write("other.glsl", "this is not compiled\n");
@@ -74,12 +74,12 @@ TEST_F(SpirvCaches, CompilesWhatItHasNotSeen) {
   EXPECT_EQ(kept(), 2u);
 }
 
-TEST_F(SpirvCaches, ACheckKeepsThatItCompiles) {
+TEST_F(SpirvCaches, CheckIsStoredWithoutCode) {
   write("main.glsl", "void main() {}\n");
   EXPECT_TRUE(compiled(Output::None).spirv.empty());
   EXPECT_EQ(kept(), 1u);
   EXPECT_FALSE(compiled().spirv.empty());
-  EXPECT_EQ(kept(), 1u) << "in the same place";
+  EXPECT_EQ(kept(), 1u) << "the code replaces the entry of the check";
   EXPECT_EQ(compiled(Output::None).files, std::vector<Path>{folder_ / "main.glsl"});
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files with numbers that are none: what cannot be drawn is refused by name, what can is drawn, finite, and said.
+// Files with non-finite numbers: files that cannot be drawn are refused by name; all others give finite pictures and a
+// warning.
 
 #include <cstring>
 
@@ -17,14 +18,14 @@ std::string base64(const void* data, size_t size) {
   const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const auto* bytes = static_cast<const uint8_t*>(data);
   std::string text;
-  for (size_t i = 0; i < size; i += 3) {  // all data here are whole triples of bytes
+  for (size_t i = 0; i < size; i += 3) {  // all data here have a multiple of three bytes
     uint32_t bits = uint32_t(bytes[i]) << 16 | uint32_t(bytes[i + 1]) << 8 | bytes[i + 2];
     for (int k = 3; k >= 0; --k) text += digits[bits >> (6 * k) & 63];
   }
   return text;
 }
 
-// A file with one lit square before a camera, of two triangles; tests damage it.
+// A file with one lit square, two triangles, in front of a camera; tests damage it.
 struct File {
   Json json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", {0, 1}}}}}};
   Json attributes = Json::object();
@@ -37,7 +38,7 @@ struct File {
     json["materials"] = {{{"name", "paint"}, {"extensions", {{"KHR_materials_unlit", Json::object()}}}}};
     json["extensionsUsed"] = {"KHR_materials_unlit"};
   }
-  // The index of an accessor of these floats.
+  // Adds an accessor with these floats; returns its index.
   int add(const std::vector<float>& values, const char* type, int width) {
     std::vector<float> padded = values;
     while (padded.size() % 3) padded.push_back(0);
@@ -67,7 +68,7 @@ struct File {
 
 class Damage : public oracle::RenderTest {
  protected:
-  // Every pipeline draws it, finite, and says the text.
+  // Expects a finite picture and this warning from every pipeline.
   static void expectDrawn(const File& file, const std::string& says) {
     for (const std::string& pipeline : script::pipelineNames(bench().home())) {
       File own = file;
@@ -88,12 +89,12 @@ class Damage : public oracle::RenderTest {
   }
 };
 
-TEST_F(Damage, TrianglesWithoutPlacesAreLeftOut) {
+TEST_F(Damage, TrianglesWithoutFinitePositionsAreOmitted) {
   for (float bad : {kNan, kInf, -kInf, 1e30f}) {
     File file;
     file.positions[9] = bad;
     expectDrawn(file, "1 triangles have positions that are not finite and are left out");
-    if (bad == kInf) break;  // the rest goes the same way
+    if (bad == kInf) break;  // the remaining values give the same warning
   }
 }
 
@@ -115,7 +116,7 @@ TEST_F(Damage, NormalsTextureCoordinatesAndColoursAreReplaced) {
   expectDrawn(file, "1 vertices have texture coordinates that are not finite; 0, 0 is used instead");
 }
 
-TEST_F(Damage, RadiancesBeyondNumbersBecomeNumbers) {
+TEST_F(Damage, NonFiniteRadiancesAreReplaced) {
   File file;
   file.json["materials"][0] = {{"emissiveFactor", {1, 0, 0}},
                                {"doubleSided", true},
@@ -136,7 +137,7 @@ TEST_F(Damage, TransformsThatCannotBeDrawnAreNamed) {
   for (float value : oracle::colorOf(render(shot)).values) ASSERT_TRUE(std::isfinite(value));
 }
 
-TEST_F(Damage, KeysThatAreNoNumbersAreRefused) {
+TEST_F(Damage, NonFiniteKeysAreRefused) {
   File file;
   int times = file.add({0, 1, 2}, "SCALAR", 1), values = file.add({0, 0, 0, 1, kNan, 0, 2, 0, 0}, "VEC3", 3);
   file.json["animations"] = {{{"samplers", {{{"input", times}, {"output", values}}}},

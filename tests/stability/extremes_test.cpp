@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every extreme case, by every pipeline and preset; and that each kind of check finds what is wrong. The short form
-// leaves out the two scenes with many triangles: they take half of the time, and tests of the tree's order and of large
-// scenes find the same mistakes.
+// Every extreme case with every pipeline and preset, and a failing example for each kind of check. The short form
+// leaves out the two scenes with many triangles: they take half of the time, and tests of the tree and of large scenes
+// find the same mistakes.
 #include "stability/extremes.h"
 
 #include <set>
@@ -13,7 +13,7 @@
 namespace strobe::stability {
 namespace extremes_test {
 
-// Names alone: the checks of a case are evaluated by its test.
+// Case names only: each test evaluates the checks of its case.
 const std::vector<Extreme>& cases() {
   static const Extremes extremes =
       readExtremes(Home(std::vector{home().shipped()}, {}, STROBE_PROGRAM_FILE), {}, std::vector<std::string>());
@@ -38,7 +38,7 @@ TEST_P(ExtremeCases, Holds) {
 INSTANTIATE_TEST_SUITE_P(Case, ExtremeCases, ::testing::Range<size_t>(0, cases().size()),
                          [](const auto& index) { return cases()[index.param].name; });
 
-TEST(ExtremeTable, HasCasesOfManyKindsUnderNamesOfTheirOwn) {
+TEST(ExtremeTable, HasCasesOfManyKindsWithUniqueNames) {
   std::set<std::string> clauses, names;
   for (const Extreme& extreme : cases()) {
     clauses.insert(extreme.clause);
@@ -49,7 +49,7 @@ TEST(ExtremeTable, HasCasesOfManyKindsUnderNamesOfTheirOwn) {
   EXPECT_GE(names.size(), 118u);
 }
 
-// ---- each kind of check on a bar of 0 and 1 that moves by 8 px
+// ---- Each kind of check, on a bar of value 1 over 0 that moves by 8 px
 
 Json barShot(double displacement_px) {
   return {{"scene", "oracles/bar"},
@@ -85,7 +85,7 @@ class Checks : public oracle::RenderTest {
   }
 };
 
-TEST_F(Checks, PassWhatHoldsAndFailWhatDoesNot) {
+TEST_F(Checks, PassAndFailCorrectly) {
   const Json none = Json::object();
   EXPECT_EQ(count("draws", none), 0u);
   EXPECT_EQ(count("as_captured", none, 0), 0u);
@@ -95,7 +95,7 @@ TEST_F(Checks, PassWhatHoldsAndFailWhatDoesNot) {
   EXPECT_EQ(count("within", {{"low", 0}, {"high", 1}}), 0u);
   EXPECT_EQ(count("within", {{"low", 0.1}, {"high", 1}}), 1u);
   EXPECT_EQ(count("nearer", none), 0u);
-  EXPECT_EQ(count("nearer", none, 0), 1u);  // nothing can be nearer than what is right
+  EXPECT_EQ(count("nearer", none, 0), 1u);  // an exact picture leaves no room for improvement
   EXPECT_EQ(count("same", {{"other", barShot(8)}, {"tolerance", 0}, {"share", 0}}), 0u);
   EXPECT_EQ(count("same", {{"other", barShot(4)}, {"tolerance", 0}, {"share", 0}}), 1u);
   EXPECT_EQ(count("sharp_at", {{"pixel", {20, 1}}, {"value", 1}, {"tolerance", 1e-6}}), 0u);
@@ -104,8 +104,8 @@ TEST_F(Checks, PassWhatHoldsAndFailWhatDoesNot) {
   EXPECT_EQ(count("warns", {{"text", "farther than the limit"}}), 1u);
 }
 
-// Displacements of the bar and nothing elsewhere; a pixel that may be anything is no mistake.
-TEST_F(Checks, CompareEachPixelWithWhatIsExact) {
+// Exact displacements: the bar's, and 0 elsewhere. `false` accepts any value at a pixel.
+TEST_F(Checks, CompareEachPixelWithTheExactValue) {
   std::vector<Json> right;
   for (int i = 0; i < 48 * 4; ++i) {
     right.push_back(i % 48 >= 16 && i % 48 < 32 ? 8 : 0);
@@ -122,7 +122,7 @@ TEST_F(Checks, CompareEachPixelWithWhatIsExact) {
   EXPECT_EQ(count("truth", {{"exact", still}, {"tolerance", 1e-6}, {"by", "truth"}}, 8, "ground_truth"), 1u);
 }
 
-TEST_F(Checks, AreAboutTheMethodsTheyName) {
+TEST_F(Checks, ApplyToTheirMethods) {
   const Json impossible = {{"low", 2}, {"high", 3}};
   auto counts = [&](const char* by) {
     Json fields = impossible;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ids beyond what single precision holds: everything that compares them must give the same picture as with small ones.
+// Ids beyond the integers of single precision: comparisons of ids give the same pictures as with small ids.
 
 #include "common/temporary_folder.h"
 #include "image/exr.h"
@@ -20,14 +20,14 @@ class Ids : public oracle::RenderTest {
   }
 };
 
-// Ids of all that raster and rays see, `base` higher: neighbours differ in the lowest bit.
+// Adds `base` to the ids of raster and rays: neighbouring ids differ in the lowest bit.
 void raiseIds(const session::EditableHome& home, const std::string& base) {
   home.edit("shaders/gbuffer/gbuffer.glsl", "id = uvec2(ids.x,", "id = uvec2(ids.x + " + base + ",");
   home.edit("shaders/hybrid/ray_reveal.glsl", "uvec2(hit.instance, hit.geometry) + 1u",
             "uvec2(hit.instance, hit.geometry) + uvec2(1u + " + base + ", 1u)");
 }
 
-// Steps that compare ids: edge detectors, masks, composites.
+// Passes that compare ids: edge detectors, masks, composites.
 std::vector<lab::Shot> shotsThatCompareIds() {
   const lab::Shot crowd = oracle::shotOf("crowd", 48, 30);
   return {with(crowd, "hybrid", {"edge=id"}),
@@ -39,11 +39,11 @@ std::vector<lab::Shot> shotsThatCompareIds() {
           with(crowd, oracle::hybridSteps(), {"mask=moving"})};
 }
 
-TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {
+TEST_F(Ids, DifferInTheLowestBitBeyondSinglePrecision) {
   const std::vector<lab::Shot> shots = shotsThatCompareIds();
   std::vector<lab::Picture> small;
   for (const lab::Shot& shot : shots) small.push_back(render(shot));
-  for (const char* base : {"0x1000000u", "0xfffffff8u"}) {  // 2^24 and up; up to 2^32 - 2 of six instances
+  for (const char* base : {"0x1000000u", "0xfffffff8u"}) {  // from 2^24; up to 2^32 - 2 with six instances
     session::EditableHome home;
     raiseIds(home, base);
     for (size_t i = 0; i < small.size(); ++i) {
@@ -55,12 +55,12 @@ TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {
   }
 }
 
-TEST_F(Ids, AreWrittenAsTheyAre) {
+TEST_F(Ids, AreWrittenUnchanged) {
   session::EditableHome home;
   raiseIds(home, "0xfffffff8u");
   lab::Picture picture = render(home, with(oracle::shotOf("crowd", 48, 30), "none"));
   const Path file = testing::processFolder() / "ids.exr";
-  lab::writePicture(picture, file, {.half = true});  // half floats leave integers alone
+  lab::writePicture(picture, file, {.half = true});  // the option does not change integers
   image::ExrFile read = image::readExr(file);
   const image::UintImage& ids = picture.frame.outputs.at("id").uints;
   bool found = false;

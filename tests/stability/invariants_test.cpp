@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every invariant for every variant of every pipeline that ships, on generated scenes. The pipelines are found in their
-// folder: a new one, or a new value of a parameter, is covered without a line here. More cases: `strobe stability`.
-// Of one pipeline alone, for those who change shaders: --gtest_filter='Pipelines/Shipped.*/mcguire2012*'
-// --gtest_fail_fast. Catches: a value of a parameter whose picture breaks a property of every blur without a declared
-// reason, above all values that no other test sets.
+// Every invariant for every variant of every shipped pipeline, on generated scenes. Pipelines are found in their
+// folder: a new pipeline, or a new value of a parameter, is covered without a line here. `strobe stability` tests more
+// cases. To test one pipeline: --gtest_filter='Pipelines/Shipped.*/mcguire2012*' --gtest_fail_fast. Finds values of
+// parameters whose picture breaks a property of every blur without a declared reason, above all values that no other
+// test sets.
 #include <gtest/gtest.h>
 
 #include "common/home.h"
@@ -16,7 +16,7 @@ namespace invariants_test {
 
 using StabilityTest = oracle::RenderTest;
 
-// ---- what ships
+// ---- Shipped pipelines
 
 struct Share {
   std::string pipeline;
@@ -25,8 +25,8 @@ struct Share {
 
 void PrintTo(const Share& share, std::ostream* out) { *out << share.pipeline << " " << share.shard; }
 
-// A pipeline with presets has several times as many variants as others. In the run of tools/mutate none of these cases
-// was the first to fail for a mistake, so few are drawn here; `strobe stability` draws all.
+// A pipeline with presets has several times as many variants as others. In the run of tools/mutate, none of these cases
+// was the first to find a mistake, so that few are drawn here; `strobe stability` draws all.
 std::vector<Share> shares() {
   std::vector<Share> list;
   for (const std::string& name : home().namesIn("scripts/pipelines", ".lua")) {
@@ -39,7 +39,7 @@ std::vector<Share> shares() {
 
 class Shipped : public StabilityTest, public ::testing::WithParamInterface<Share> {};
 
-TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
+TEST_P(Shipped, HoldsEveryInvariantOrDeclaresWhyNot) {
   lab::Batch batch(bench());
   Options options;
   options.shard = GetParam().shard;
@@ -48,7 +48,7 @@ TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
   StabilityReport report = check(batch, GetParam().pipeline, options);
   EXPECT_EQ(report.total().failed, 0) << textOf(report);
   EXPECT_GT(report.total().held, 0);
-  // Or most of this would mean nothing; scenes at rest and limits of 0 are drawn too.
+  // Most cases must blur, or the test would prove little; static scenes and limits of 0 are drawn too.
   const lab::Evaluated& evaluated = batch.evaluate(GetParam().pipeline, {});
   bool is_blur = numberOf(*evaluated.pipeline, "samples", 0) > 0;
   if (is_blur) {
@@ -61,11 +61,11 @@ INSTANTIATE_TEST_SUITE_P(Pipelines, Shipped, ::testing::ValuesIn(shares()), [](c
          (info.param.shards > 1 ? fmt::format("_{}of{}", info.param.shard + 1, info.param.shards) : "");
 });
 
-// ---- what is no setting is no variant
+// ---- Variants contain settings only
 
 class Walked : public StabilityTest {};
 
-TEST_F(Walked, WhatThePipelineAloneSetsIsLeftAlone) {
+TEST_F(Walked, WiredParametersAreNotVaried) {
   lab::Batch batch(bench());
   const VariantList found = walk(batch, "ground_truth");
   ASSERT_GT(found.variants.size(), 10u);
@@ -80,14 +80,14 @@ TEST_F(Walked, WhatThePipelineAloneSetsIsLeftAlone) {
           for (const auto& [name, value] : variant.sets) EXPECT_NE(name, node.name + "." + param.name);
         }
   }
-  EXPECT_GT(wired, 0) << "it has such parameters";
+  EXPECT_GT(wired, 0) << "ground_truth has wired parameters";
 }
 
-// ---- what is broken is found, and becomes small
+// ---- Broken shaders are found, and failing cases are reduced
 
 class Broken : public StabilityTest {
  protected:
-  // The failures of one invariant with an edited shader, and the settings of the small case.
+  // Report on one invariant with an edited shader.
   StabilityReport reportOf(const std::string& shader, const std::string& from, const std::string& to,
                            const std::string& invariant) {
     home_.edit(shader, from, to);
@@ -108,20 +108,20 @@ int cardsIn(const std::string& command) {
   return at == std::string::npos ? 5 : std::stoi(command.substr(at + 12));
 }
 
-TEST_F(Broken, NormalisationThatIsLeftOut) {
+TEST_F(Broken, MissingNormalisationIsFound) {
   StabilityReport report =
       reportOf("shaders/gather/mcguire2012.glsl", "sum / all)", "sum / float(params.samples))", "constant");
   ASSERT_GT(report.failures.size(), 0u);
   EXPECT_LE(cardsIn(report.failures.front().commands.front()), 1) << textOf(report);
 }
 
-TEST_F(Broken, RoundingThatFavoursOneSide) {
+TEST_F(Broken, AsymmetricRoundingIsFound) {
   std::string symmetric = "trunc(offset + 0.5 * sign(offset))";
   StabilityReport report = reportOf("shaders/lib/blur.glsl", symmetric, "floor(offset + 0.5)", "mirrored");
   EXPECT_GT(report.failures.size(), 0u);
 }
 
-TEST_F(Broken, WeightsThatAddUpToMore) {
+TEST_F(Broken, ExcessWeightIsFound) {
   StabilityReport report =
       reportOf("shaders/gather/mcguire2012.glsl", "all += weight;", "all += 0.75 * weight;", "convex");
   EXPECT_GT(report.failures.size(), 0u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A limit that is met is said in the run record, and one that is not met is not.
+// The run record states every limit that a shot reached, and no other limit.
 #include "lab/limits.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class Limits : public oracle::RenderTest {
     EXPECT_EQ(picture.record["warnings"].get<std::vector<std::string>>(), picture.warnings);
     return picture.warnings;
   }
-  // The one warning of a shot, which has no other.
+  // The only warning of a shot.
   static std::string warningOf(const lab::Shot& shot) {
     std::vector<std::string> warnings = warningsOf(shot);
     EXPECT_EQ(warnings.size(), 1u) << fmt::format("{}", fmt::join(warnings, "\n"));
@@ -36,13 +36,13 @@ lab::Shot crowd(const std::string& pipeline, const std::vector<std::string>& set
   return with(shotOf("crowd", 32, 20, {{"speed", .25}}), pipeline, settings);
 }
 
-TEST_F(Limits, NoneIsMetByAnOrdinaryShot) {
+TEST_F(Limits, OrdinaryShotReachesNone) {
   for (const char* pipeline : {"none", "mcguire2012", "hybrid_layered"})
     EXPECT_EQ(warningsOf(crowd(pipeline)), std::vector<std::string>()) << pipeline;
 }
 
-// The count is that of the velocity image: pixels whose displacement is longer than limit * width.
-TEST_F(Limits, ShortenedDisplacementsAreCountedAndSaid) {
+// The count is of pixels in the velocity image whose displacement exceeds limit * width.
+TEST_F(Limits, ShortenedDisplacementsAreCounted) {
   lab::Picture picture = render(crowd("mcguire2012", {"limit=0.05"}));
   const image::Image& velocity = oracle::imageOf(picture, "velocity");
   int longer = 0;
@@ -56,16 +56,16 @@ TEST_F(Limits, ShortenedDisplacementsAreCountedAndSaid) {
   EXPECT_TRUE(picture.warnings[0].starts_with(begin)) << picture.warnings[0];
 }
 
-TEST_F(Limits, PathsExtrapolatedFromTheNearPlaneAreSaid) {
+TEST_F(Limits, PathsExtrapolatedFromTheNearPlaneAreReported) {
   lab::Shot shot = with(crowd("mcguire2012"), "mcguire2012", {"limit=10"}, "end");
   shot.moves = {"camera=0,0,30"};
-  std::vector<std::string> warnings = warningsOf(shot);  // such paths are long as well
+  std::vector<std::string> warnings = warningsOf(shot);  // these paths are also too long
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_TRUE(warnings[0].starts_with("gbuffer: ")) << warnings[0];
   EXPECT_NE(warnings[0].find("behind the near plane"), std::string::npos) << warnings[0];
 }
 
-TEST_F(Limits, MotionExtrapolatedBeyondItsFrameIsSaid) {
+TEST_F(Limits, MotionExtrapolatedBeyondItsFrameIsReported) {
   lab::Shot shot = crowd("mcguire2012", {"displacement=extrapolated", "limit=10"});
   shot.exposure = 1;
   EXPECT_EQ(warningsOf(shot), std::vector<std::string>());
@@ -73,8 +73,8 @@ TEST_F(Limits, MotionExtrapolatedBeyondItsFrameIsSaid) {
   EXPECT_NE(warningOf(shot).find("of more than one frame; motion outside"), std::string::npos);
 }
 
-// The clip of `bent` has keys from -8 to 8 exposures, which are 1/48 s each, and does not end as it begins again.
-TEST_F(Limits, ExposuresThatLeaveAClipAreSaid) {
+// The clip of `bent` has keys from -8 to 8 exposures of 1/48 s each, and its end differs from its start.
+TEST_F(Limits, ExposuresBeyondAClipAreReported) {
   lab::Shot shot = with(shotOf("bent", 32, 8), "none", {}, "end");
   const double exposure_s = 1. / 48;
   auto warningsAt = [&](double frames_per_second, int frame) {
@@ -91,7 +91,7 @@ TEST_F(Limits, ExposuresThatLeaveAClipAreSaid) {
   EXPECT_TRUE(warningsAt(1000, 160).empty());
 }
 
-// A scene of three instances of two triangles each, four vertices of 44 bytes, and a texture of 8 texels.
+// A scene of three instances with two triangles each, four vertices of 44 bytes, and a texture of 8 texels.
 scene::Scene smallScene() {
   scene::Scene scene;
   scene.name = "small";
@@ -115,7 +115,7 @@ std::string refusalOf(const gpu::DeviceLimits& limits,
   return testing::refusalOf([&] { world::requireFits(smallScene(), 4, structures, limits); });
 }
 
-TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
+TEST(DeviceLimits, AreNamedBeforeAllocation) {
   const gpu::DeviceLimits enough{
       .image_side = 8, .array_bytes = 3 * 4 * 48, .instances = 3, .geometries = 1, .triangles = 2};
   EXPECT_EQ(refusalOf(enough), "");
@@ -135,13 +135,13 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
   std::string bytes = with([](auto& l) { l.array_bytes = 175; });
   EXPECT_NE(bytes.find("the buffer of all vertices has 176 bytes of at most 175"), std::string::npos) << bytes;
   EXPECT_NE(bytes.find("the buffer of all transforms has 576 bytes of at most 175"), std::string::npos) << bytes;
-  // The runtime's own tree has a copy of the two triangles, 48 bytes each.
+  // The runtime's BVH has a copy of the two triangles, 48 bytes each.
   bytes = refusalOf({.array_bytes = 95}, shader::StructureKind::Own);
   EXPECT_NE(bytes.find("the buffer of all triangles of its tree has 96 bytes of at most 95"), std::string::npos)
       << bytes;
 }
 
-// The constant that a room declares a limit as, "kBufferLimit".
+// Name of the constant that declares a limit, such as "kBufferLimit".
 std::string constantOf(const Limit& limit, const std::string& headers) {
   std::string name(limit.name);
   std::smatch match;
@@ -150,7 +150,7 @@ std::string constantOf(const Limit& limit, const std::string& headers) {
   return declared ? match[1].str() : name;
 }
 
-TEST(LimitTable, WhatIsReportedIsUsedAndWhatIsKnownIsNot) {
+TEST(LimitTable, ReportedLimitsAreUsedAndKnownOnesAreNot) {
   std::string headers, sources;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(sourceFolder() / "runtime")) {
     if (entry.path().extension() == ".cpp") sources += readText(entry.path());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the invariant suite by themselves: the exact mean along a motion, the walk, shrinking.
+// Parts of the invariant suite: the exact mean along a motion, unneeded declarations, reduction of failing cases.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace strobe::stability {
 namespace parts_test {
 
-// ---- the mean along a motion
+// ---- Mean along a motion
 
 image::Image steps(int width, int height) {
   image::Image picture(width, height, 4);
@@ -23,11 +23,11 @@ image::Image steps(int width, int height) {
   return picture;
 }
 
-TEST(MeanAlong, OfAStepIsItsShareOfTheWay) {
+TEST(MeanAlong, StepGivesItsShareOfThePath) {
   image::Image picture(20, 1, 3);
   for (int x = 10; x < 20; ++x)
     for (int c = 0; c < 3; ++c) picture.at(x, 0, c) = 1;
-  // What is at 6.5 at the capture was at 6.5 + 8 px before: 3.5 px of the way are dark.
+  // Over the exposure, pixel 6 shows x from 14.5 to 6.5; 3.5 px of this path are dark.
   Mean mean = meanAlong(picture, 6, 0, 8, 0, {-1, 0});
   EXPECT_NEAR(mean.color[0], 4.5 / 8, 1e-12);
   EXPECT_DOUBLE_EQ(mean.variation[0], 1);
@@ -37,7 +37,7 @@ TEST(MeanAlong, OfAStepIsItsShareOfTheWay) {
   EXPECT_FALSE(meanAlong(picture, 15, 0, 8, 0, {-1, 0}).inside);
 }
 
-TEST(MeanAlong, IsWhatVeryManySamplesGive) {
+TEST(MeanAlong, EqualsTheMeanOfManySamples) {
   image::Image picture = steps(40, 40);
   const double motions[][2] = {{7.25, 0}, {0, -3.5}, {5.0625, 4.3125}, {-9.5, 2.25}, {6, 6}};
   for (const auto& d : motions)
@@ -53,10 +53,10 @@ TEST(MeanAlong, IsWhatVeryManySamplesGive) {
     }
 }
 
-// ---- declarations
+// ---- Declarations
 
-// A pipeline that is checked alone need not need what its passes and values declare.
-TEST(Stale, NamedPipelinesAreNotChargedWithWhatOthersMayNeed) {
+// For a pipeline checked alone, unneeded declarations of its passes and values are not reported.
+TEST(Stale, SinglePipelineReportsOnlyItsOwnDeclarations) {
   StabilityReport report;
   for (const char* where : {"pipeline smear", "pass shade", "color_format = fp16"})
     report.declarations[where] = {where, "linear", "rounded", 60, 0};
@@ -68,7 +68,7 @@ TEST(Stale, NamedPipelinesAreNotChargedWithWhatOthersMayNeed) {
   EXPECT_EQ(own[0].where, "pipeline smear");
 }
 
-// ---- shrinking
+// ---- Reduction
 
 script::Settings settingsOf(const lab::Shot& shot) {
   script::Settings sets = shot.sets;
@@ -76,7 +76,7 @@ script::Settings settingsOf(const lab::Shot& shot) {
   return sets;
 }
 
-TEST(Shrunk, LeavesWhatTheFailureNeeds) {
+TEST(Shrunk, KeepsTheCauseOfTheFailure) {
   lab::Shot shot = sized({}, 64, 40);
   shot.anchor = "start";
   for (const auto& [name, value] : script::Settings{{"weights", "x"},

@@ -54,7 +54,7 @@ def interaction(rows, pair, factors):
 
 
 def slope(rows, axis):
-    """A dummy column for each arm, and log2 where the values span a factor of five."""
+    """A dummy column for each arm, and log2 of values that span a factor of five."""
     x = numpy.array([float(row[axis]) for row in rows])
     doubling = bool(x.min() > 0 and x.max() >= 5 * x.min())
     x = numpy.log2(x) if doubling else x
@@ -69,7 +69,7 @@ def slope(rows, axis):
 
 
 def front(rows):
-    """Numbers of the points that no other dominates; costs are less the better."""
+    """Numbers of the undominated points; smaller costs are better."""
     worse = lambda a, b: b["x"] <= a["x"] and b["y"] <= a["y"] and (b["x"] < a["x"] or b["y"] < a["y"])
     return [int(row["point"]) for row in rows if not any(worse(row, other) for other in rows)]
 

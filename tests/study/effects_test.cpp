@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Front, effects and intervals of results are those that NumPy and SciPy find in their table.csv.
+// Front, effects and intervals of results match NumPy and SciPy on the same table.csv.
 #include "study/effects.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ struct Made {
     for (const ArmSummary& arm : results.arms) {
       Point point;
       point.arm = arm.name, point.role = arm.role;
-      bool is_a = arm.name == "a, first";  // a comma, which the table quotes
+      bool is_a = arm.name == "a, first";  // the table quotes the comma
       point.values["rmse"] = {{"whole", error * (is_a ? 1 : 2) * noise()}, {"inner", error * noise()}};
       point.values["ms"] = {{"all", (is_a ? 3 : 2) / error * noise()}};
       if (arm.role == ArmRole::truth) group.points.insert(group.points.begin(), point);
@@ -50,10 +50,10 @@ Made empty() {
   return made;
 }
 
-// As numbers are in the file.
+// Results with the numbers as rounded in the file.
 Results rounded(const Results& results) { return resultsFrom(toJson(results), "made"); }
 
-// Two shots, two arms, four samples, three tiles; some points are missing.
+// Two shots, two arms, four sample counts, three tile sizes; some points are missing.
 Results crossed() {
   Made made = empty();
   made.results.shots = {{"near"}, {"far"}};
@@ -68,7 +68,7 @@ Results crossed() {
   return rounded(made.results);
 }
 
-// Points of a design in which no value comes twice.
+// Points of a design without repeated values.
 Results scattered() {
   Made made = empty();
   made.results.shots = {{"near"}};
@@ -133,7 +133,7 @@ void expectSame(const Effects& effects, const Json& wanted) {
   }
 }
 
-// By the numbers of table.csv.
+// Numbers of the front's points in table.csv.
 std::vector<size_t> frontOf(const Results& results, const std::string& measure, const std::string& region) {
   std::vector<std::pair<double, double>> costs;
   for (const PointGroup& group : results.groups)
@@ -154,10 +154,10 @@ void compare(const Results& results) {
   }
 }
 
-TEST(EffectsOfResults, CrossedAreThoseOfScipy) { compare(crossed()); }
-TEST(EffectsOfResults, ScatteredAreThoseOfScipy) { compare(scattered()); }
+TEST(EffectsOfResults, CrossedMatchScipy) { compare(crossed()); }
+TEST(EffectsOfResults, ScatteredMatchScipy) { compare(scattered()); }
 
-TEST(EffectsOfResults, OfWhatShipsAreThoseOfScipy) {
+TEST(EffectsOfResults, OfShippedResultsMatchScipy) {
   Path file = home().shipped() / "experiments/samples/result.json";
   Results results = resultsFrom(Json::parse(readText(file)), file.string());
   compare(results);
@@ -167,7 +167,7 @@ TEST(EffectsOfResults, OfWhatShipsAreThoseOfScipy) {
   EXPECT_EQ(effects.pairs.size(), 3u);
 }
 
-TEST(EffectsOfResults, OfOneShotAlone) {
+TEST(EffectsOfResults, OneShotHasNoFactorShot) {
   Effects both = effectsOf(crossed(), "", "rmse", "inner"), far = effectsOf(crossed(), "far", "rmse", "inner");
   EXPECT_EQ(both.factors[1].name, "shot");
   EXPECT_EQ(far.factors[1].name, "samples") << "one shot does not vary";

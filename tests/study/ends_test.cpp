@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs that end before their end: lost devices, children of others, counts of what is kept.
+// Incomplete runs: lost devices, processes of other modules, counts of kept points.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,8 +15,8 @@
 namespace strobe::study {
 namespace ends_test {
 
-// Another module's child has ended and waits to be reaped by that module.
-TEST(Processes, ReapNoChildOfOthers) {
+// A child process of another module has ended and waits to be reaped by that module.
+TEST(Processes, LeaveChildrenOfOtherModules) {
   pid_t other = ::fork();
   if (other == 0) ::_exit(7);
   siginfo_t info{};
@@ -27,7 +27,7 @@ TEST(Processes, ReapNoChildOfOthers) {
   Experiment experiment;
   EXPECT_FALSE(Helpers(experiment, none, store, 2).wait());
   int status = 0;
-  ASSERT_EQ(::waitpid(other, &status, 0), other) << "it was reaped";
+  ASSERT_EQ(::waitpid(other, &status, 0), other) << "the other module's child was reaped";
   EXPECT_EQ(WEXITSTATUS(status), 7);
 }
 
@@ -43,7 +43,8 @@ return experiment {
 }
 )lua";
 
-// The device is lost once a point is kept. Its work is done nevertheless, so that it can be destroyed.
+// Reports the device as lost after the first point is stored. The device still finishes its work, so that it can be
+// destroyed.
 Path points;
 gpu::Dispatch calls_before;
 
@@ -54,7 +55,7 @@ VkResult waitOrLose(VkDevice device, uint32_t count, const VkFence* fences, VkBo
   return VK_ERROR_DEVICE_LOST;
 }
 
-TEST(LostDevice, EndsARunAndFailsNoPoint) {
+TEST(LostDevice, EndsARunWithoutFailedPoints) {
   testing::TemporaryFolder folder;
   testing::writeText(folder / "x.lua", kSmall);
   Experiment experiment = readExperiment(home(), folder / "x.lua");
@@ -68,13 +69,13 @@ TEST(LostDevice, EndsARunAndFailsNoPoint) {
     try {
       lab::Batch batch(bench);
       run(experiment, batch, store);
-      ADD_FAILURE() << "the loss was taken for a point's";
+      ADD_FAILURE() << "the loss was reported as a failure of a point";
     } catch (const gpu::DeviceLost& lost) {
       EXPECT_NE(std::string(lost.what()).find("bar, threshold 1, "), std::string::npos) << lost.what();
     }
     calls = calls_before;
   }
-  EXPECT_EQ(namesIn(points, ".json").size(), 1u) << "no point after it was kept as failed";
+  EXPECT_EQ(namesIn(points, ".json").size(), 1u) << "no later point is stored as failed";
   lab::Workbench bench(home(), gpu::DeviceOptions{});
   lab::Batch batch(bench);
   Results results = run(experiment, batch, store);
@@ -82,7 +83,7 @@ TEST(LostDevice, EndsARunAndFailsNoPoint) {
   EXPECT_EQ(results.missing(), 0u);
 }
 
-// Truth never has the required standard error.
+// Truth never reaches the required standard error.
 TEST(FailedPoints, AreSetAsideAfterThreeTries) {
   testing::TemporaryFolder folder;
   std::string text = kSmall;
@@ -107,17 +108,17 @@ TEST(FailedPoints, AreSetAsideAfterThreeTries) {
     EXPECT_EQ(tried, tries);
     EXPECT_GT(drawn, 0);
   }
-  EXPECT_EQ(runOnce(false), std::pair(size_t{3}, 0)) << "it was drawn again";
+  EXPECT_EQ(runOnce(false), std::pair(size_t{3}, 0)) << "the failed point was drawn again";
   EXPECT_EQ(runOnce(true).first, 4u);
 }
 
-// All five points are drawn; no frame can be timed after that.
+// After all five points are drawn, submissions for timing fail.
 VkResult submitOrFail(VkQueue queue, uint32_t count, const VkSubmitInfo2* submits, VkFence fence) {
   if (namesIn(points, ".json").size() == 5) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
   return calls_before.QueueSubmit2(queue, count, submits, fence);
 }
 
-TEST(FailedTimes, LeaveThePicturesAndAreMeasuredAgain) {
+TEST(FailedTimes, KeepThePicturesAndAreMeasuredAgain) {
   testing::TemporaryFolder folder;
   std::string timed = kSmall;
   testing::writeText(folder / "x.lua", timed.replace(timed.find("\"rmse\""), 6, "\"rmse\", \"ms\""));
@@ -137,7 +138,7 @@ TEST(FailedTimes, LeaveThePicturesAndAreMeasuredAgain) {
   int drawn = 0;
   Results failed = runOnce(drawn, true);
   EXPECT_GT(drawn, 0);
-  ASSERT_EQ(failed.failed().size(), 6u) << "every point but truth";
+  ASSERT_EQ(failed.failed().size(), 6u) << "every point except truth";
   EXPECT_NE(failed.failed()[0].find("none: times: "), std::string::npos) << failed.failed()[0];
   const Point& point = failed.groups[0].points[1];
   EXPECT_GT(point.value("rmse"), 0);
@@ -146,13 +147,13 @@ TEST(FailedTimes, LeaveThePicturesAndAreMeasuredAgain) {
   EXPECT_EQ(keptText(failed), "6 of 6 points are kept; the same command continues");
 
   Results timed_again = runOnce(drawn, false);
-  EXPECT_EQ(drawn, 0) << "only times were missing";
+  EXPECT_EQ(drawn, 0) << "pictures were drawn again";
   EXPECT_EQ(timed_again.failed(), std::vector<std::string>());
   EXPECT_GT(timed_again.groups[0].points[1].value("ms"), 0);
   EXPECT_EQ(timed_again.groups[0].points[1].value("rmse"), point.value("rmse"));
 }
 
-// Values that set nothing of truth share one; the list of points has them so before anything is drawn.
+// Groups whose values do not change truth share one truth; the list of points counts it before drawing.
 TEST(Counts, OfTruthsAreDistinct) {
   testing::TemporaryFolder folder;
   testing::writeText(folder / "x.lua", kSmall);
@@ -178,7 +179,7 @@ Results partial() {
   return results;
 }
 
-// Values that set nothing of truth share its picture, though other measures may give its points other keys.
+// Groups whose values do not change truth share its picture, although other measures may change the keys of its points.
 TEST(Counts, OfMissingTruthsAreDistinct) {
   Results results = partial();
   results.groups[0].points[0].key = "with another measure";
@@ -187,11 +188,11 @@ TEST(Counts, OfMissingTruthsAreDistinct) {
   EXPECT_EQ(results.missingText(), "6 of 6 points, 1 of 2 truths");
   for (size_t g : {0, 1}) results.groups[g].points[0].key = "", results.groups[g].points[0].failed = "a reason";
   EXPECT_EQ(results.missingText(), "6 of 6 points");
-  EXPECT_EQ(results.truths(), 1u) << "those that can be drawn";
+  EXPECT_EQ(results.truths(), 1u) << "only truths that can be drawn";
 }
 
-// The line of an interrupted sweep, whatever is in its folder.
-TEST(Counts, OfADamagedFolder) {
+// The message of an interrupted sweep, with any content of its folder.
+TEST(Counts, OfADamagedFolderAreOmitted) {
   testing::TemporaryFolder folder;
   Results results = partial();
   results.title = "Partial", results.width = 64, results.height = 36, results.shots = {{"bar"}};
@@ -202,7 +203,7 @@ TEST(Counts, OfADamagedFolder) {
   const std::string whole = textOf(results);
   std::filesystem::create_directories(folder / "points");
   testing::writeText(pointFile(folder.path(), "none0", ".json"), "{");
-  EXPECT_EQ(keptIn(folder / "outline.json"), "the same command continues") << "no outline";
+  EXPECT_EQ(keptIn(folder / "outline.json"), "the same command continues") << "without an outline";
   testing::writeText(folder / "outline.json", whole);
   EXPECT_EQ(keptIn(folder / "outline.json"), "0 of 6 points are kept; the same command continues");
   for (const std::string& damaged :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Experiment files: which points follow from them, in which order, and what is said of mistakes. Without a device.
+// Experiment files: their points, the order of points, and errors. Without a device.
 #include <gtest/gtest.h>
 
 #include "base/frozen_home.h"
@@ -13,7 +13,7 @@ namespace experiment_test {
 using strobe::testing::TemporaryFolder;
 using strobe::testing::writeText;
 
-// The file that conventions print.
+// A complete experiment file.
 const char* const kSamplesAndTiles = R"lua(
 local experiment = require "strobe.experiment"
 
@@ -51,7 +51,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 TEST(Points, AreShotsThenValuesThenArms) {
   Experiment experiment = readText(kSamplesAndTiles);
-  EXPECT_EQ(experiment.points(), 20u) << "2 shots x 2 exposures x 3 samples x 2 arms, without 4 that are skipped";
+  EXPECT_EQ(experiment.points(), 20u) << "2 shots x 2 exposures x 3 samples x 2 arms, without 4 skipped points";
   std::vector<std::string> lines = linesOf(listOf(experiment));
   ASSERT_EQ(lines.size(), 20u);
   EXPECT_EQ(lines[0], "1  vase  exposure 0.25, samples 4  hybrid") << "axes by name; the last varies fastest";
@@ -61,7 +61,7 @@ TEST(Points, AreShotsThenValuesThenArms) {
   EXPECT_EQ(lines[19], "20  tracking  exposure 0.5, samples 16  hybrid");
 }
 
-TEST(Points, SetWhatTheirAxesName) {
+TEST(Points, SetTheParametersOfTheirAxes) {
   Experiment experiment = readText(kSamplesAndTiles);
   const Group& group = experiment.groups.back();
   lab::Shot hybrid = shotOf(experiment, group, experiment.arms[1]), truth = truthShotOf(experiment, group);
@@ -71,11 +71,11 @@ TEST(Points, SetWhatTheirAxesName) {
   EXPECT_EQ(lab::commandOf(hybrid),
             "strobe render hybrid --scene living_room --size 160x90 --exposure 0.5 --anchor end --camera tracking "
             "--set preset=text --set samples=16 -o out.exr");
-  EXPECT_EQ(truth.exposure, 0.5) << "options of the shot are truth's too";
-  EXPECT_NE(lab::commandOf(truth).find("--set samples=64"), std::string::npos) << "parameters of arms are not";
+  EXPECT_EQ(truth.exposure, 0.5) << "options of the shot apply to truth";
+  EXPECT_NE(lab::commandOf(truth).find("--set samples=64"), std::string::npos) << "parameters of arms do not";
 }
 
-TEST(Points, GiveGltfScenesNoParametersOfSize) {
+TEST(Points, GiveGltfScenesNoSizeParameters) {
   Experiment experiment = readText(R"lua(
 return require "strobe.experiment" {
   title = "Two scenes", size_params = { "width", "height" }, truth = { pipeline = "ground_truth" },
@@ -88,7 +88,7 @@ return require "strobe.experiment" {
   EXPECT_TRUE(truthShotOf(experiment, experiment.groups[1]).sets.empty());
 }
 
-// Text with fields in the places of ARM, SHOT, AXIS, MORE, LACKS.
+// An experiment with fields inserted at ARM, SHOT, AXIS, MORE and LACKS.
 std::string with(const std::string& arm, const std::string& shot = "", const std::string& axis = "",
                  const std::string& more = "", const std::string& lacks = "") {
   std::string text = R"lua(
@@ -146,8 +146,8 @@ TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
   expectRefusal("return {}", "does not return experiment { ... }");
 }
 
-// Names that an arm, an axis, a shot or truth sets: the line, and whose it is.
-TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
+// Unknown names in the settings of an arm, an axis, a shot or truth: the error has the line and the entry.
+TEST(Mistakes, OfSettingsNameTheirEntry) {
   for (const auto& [text, wanted] : {
            std::pair<std::string, std::string>{
                with("set = { edg = 4 }"),
@@ -177,7 +177,7 @@ TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
   expectRefusal(misspelt, "x.lua:7: arm 'no blur': unknown pipeline 'noen'; did you mean 'none'?", true);
 }
 
-TEST(Mistakes, OfLacksAreFound) {
+TEST(Mistakes, OfLacksAreReported) {
   const std::string axis = "at = function() return { samples = 4 } end";
   expectRefusal(with("", "", axis, "", "lacks = { \"sample\" }"),
                 "x.lua:7: 'lacks' of arm 'no blur' names 'sample', which is neither an axis nor a parameter that an "
@@ -190,8 +190,8 @@ TEST(Mistakes, OfLacksAreFound) {
   }
 }
 
-// Expectations are tried on placeholder results: names that there are not, and measures that are not taken.
-TEST(Mistakes, OfExpectationsAreFoundBeforeAnythingIsDrawn) {
+// Expectations are evaluated on placeholder results: unknown names and unmeasured values are found.
+TEST(Mistakes, OfExpectationsAreFoundBeforeDrawing) {
   auto expecting = [](const std::string& body) {
     return with("", "", "", "measures = { \"rmse\" }, expect = { { \"it is\", function(r)\n" + body + "\nend } }");
   };
@@ -213,12 +213,12 @@ TEST(Mistakes, OfExpectationsAreFoundBeforeAnythingIsDrawn) {
     EXPECT_EQ(readText(expecting(body)).expectations, 1u) << body;
 }
 
-TEST(Mistakes, OfAPointThatIsSkippedAreFound) {
+TEST(Mistakes, OfSkippedPointsAreFound) {
   expectRefusal(with("", "", "", "skip = function(point) return point.sped == 3 end"),
                 "skip fails: a point has no 'sped'; did you mean 'speed'?");
 }
 
-TEST(Mistakes, CurvesWithoutAnAxisToDrawAreNamed) {
+TEST(Mistakes, CurvesWithoutASuitableAxisAreRefused) {
   expectRefusal(
       with("", "", "region = \"inner\"", "layout = { curves = {} }"),
       "x.lua:13: there are no curves to draw: curves need an axis with `region`, `scale` and `benign`; axis 'speed' "
@@ -228,7 +228,7 @@ TEST(Mistakes, CurvesWithoutAnAxisToDrawAreNamed) {
             1u);
 }
 
-TEST(Only, KeepsPointsThatAreAskedFor) {
+TEST(Only, KeepsSelectedPoints) {
   auto listed = [](const std::string& only) {
     Experiment experiment = readText(kSamplesAndTiles);
     keepOnly(experiment, only);
@@ -238,7 +238,7 @@ TEST(Only, KeepsPointsThatAreAskedFor) {
   EXPECT_EQ(listed("arm=hybrid"), 12u);
   EXPECT_EQ(listed("arm=hybrid,samples=4,samples=8"), 8u);
   EXPECT_EQ(listed("shot=vase,exposure=0.25"), 5u);
-  EXPECT_EQ(listed("samples"), 20u) << "every point has that axis";
+  EXPECT_EQ(listed("samples"), 20u) << "every point has this axis";
   Experiment experiment = readText(kSamplesAndTiles);
   experiment.arms[1].name = "hybrid, best (again)";
   keepOnly(experiment, "arm=hybrid, best (again),samples=4");
@@ -247,7 +247,7 @@ TEST(Only, KeepsPointsThatAreAskedFor) {
   experiment.measures.push_back("ms_ratio");
   experiment.base = "mcguire";
   keepOnly(experiment, "arm=hybrid,shot=vase,samples=16");
-  EXPECT_EQ(linesOf(listOf(experiment)).size(), 3u) << "at two exposures, and what times are ratios to";
+  EXPECT_EQ(linesOf(listOf(experiment)).size(), 3u) << "two exposures, and the base of time ratios";
   experiment = readText(kSamplesAndTiles);
   for (const auto& [only, wanted] : {std::pair<std::string, std::string>{"arm=hybird", "did you mean 'hybrid'?"},
                                      {"sampels=4", "did you mean 'samples'?"},
@@ -263,7 +263,7 @@ TEST(Only, KeepsPointsThatAreAskedFor) {
   }
 }
 
-TEST(Each, IsOneAxisAfterTheOther) {
+TEST(Each, GivesOneAxisAfterTheOther) {
   const std::string axes = R"(vary = { experiment.each {
     experiment.list { name = "speed", values = { 1, 2 }, at = function(v) return { ["scene.d_f"] = v } end },
     experiment.grid { samples = { 4, 8 }, exposure = { 0.5 } } } })";
@@ -273,10 +273,10 @@ TEST(Each, IsOneAxisAfterTheOther) {
   EXPECT_EQ(lines[0], "1  bar  speed 1  no blur");
   EXPECT_EQ(lines[11], "12  bar  exposure 0.5, samples 8  floor");
   lab::Shot none = shotOf(experiment, experiment.groups.back(), experiment.arms[0]);
-  EXPECT_EQ(lab::commandOf(none).find("samples"), std::string::npos) << "lacks it";
+  EXPECT_EQ(lab::commandOf(none).find("samples"), std::string::npos) << "the arm lacks the parameter";
 }
 
-// The points of the sample experiment's first shot, of arm hybrid, as "NAME VALUE, ...".
+// Points of the sample experiment's first shot with arm hybrid, as "NAME VALUE, ...".
 std::vector<std::string> pointsOf(const std::string& vary) {
   std::string text = kSamplesAndTiles;
   size_t from = text.find("experiment.grid"), to = text.find(" }", text.find("0.5 } }") + 6);
@@ -292,18 +292,18 @@ std::vector<std::string> pointsOf(const std::string& vary) {
 
 using Lines = std::vector<std::string>;
 
-TEST(Vary, ZipTakesTheFirstOfEachThenTheSecond) {
+TEST(Vary, ZipPairsValuesByPosition) {
   EXPECT_EQ(pointsOf("experiment.zip { samples = { 8, 16 }, exposure = { 0.5, 0.25 } }"),
             (Lines{"exposure 0.5, samples 8", "exposure 0.25, samples 16"}));
 }
 
-TEST(Vary, AblationIsTheBaseThenEachChangeAlone) {
+TEST(Vary, AblationIsTheBaseThenEachSingleChange) {
   EXPECT_EQ(pointsOf("experiment.ablation({ samples = 8, tile = 40 }, { tile = { 20, 40 }, samples = { 16 } })"),
             (Lines{"samples 8, tile 40", "samples 16, tile 40", "samples 8, tile 20"}))
-      << "a change to what the base has is no other point";
+      << "a change to the base's value is not another point";
 }
 
-TEST(Vary, ValuesGrowEvenlyOrByAFactor) {
+TEST(Vary, ValuesAreSpacedLinearlyOrByAFactor) {
   EXPECT_EQ(pointsOf("experiment.grid { exposure = experiment.linear(0.25, 0.75, 3) }"),
             (Lines{"exposure 0.25", "exposure 0.5", "exposure 0.75"}));
   EXPECT_EQ(pointsOf("experiment.grid { exposure = experiment.log(0.01, 1, 3) }"),
@@ -311,7 +311,7 @@ TEST(Vary, ValuesGrowEvenlyOrByAFactor) {
 }
 
 // scipy.stats.qmc.Sobol(3, scramble=False).random(8)
-TEST(Vary, SobolPointsAreThoseOfTheSequence) {
+TEST(Vary, SobolPointsMatchTheSequence) {
   const double expected[8][3] = {{0, 0, 0},          {.5, .5, .5},       {.75, .25, .25},    {.25, .75, .75},
                                  {.375, .375, .625}, {.875, .875, .125}, {.625, .125, .875}, {.125, .625, .375}};
   Lines lines;
@@ -322,7 +322,8 @@ TEST(Vary, SobolPointsAreThoseOfTheSequence) {
             lines);
 }
 
-// SplitMix64 by its definition, in Python: 0.56656, 0.74578, 0.97100, 0.44436; 65^0.74578 = 22.5, 65^0.44436 = 6.4.
+// SplitMix64 by its definition, computed in Python: 0.56656, 0.74578, 0.97100, 0.44436; 65^0.74578 = 22.5, 65^0.44436 =
+// 6.4.
 TEST(Vary, RandomPointsFollowFromTheSeed) {
   EXPECT_EQ(
       pointsOf(
@@ -330,7 +331,7 @@ TEST(Vary, RandomPointsFollowFromTheSeed) {
       (Lines{"mask relative, samples 22", "mask all, samples 6"}));
 }
 
-TEST(Vary, MistakesAreSaidAtTheirLine) {
+TEST(Vary, MistakesHaveTheirLine) {
   for (const auto& [vary, wanted] :
        {std::pair<std::string, std::string>{"experiment.zip { samples = { 8, 16 }, exposure = { 0.5 } }",
                                             "got 2 values of 'samples' and 1 of 'exposure'"},
@@ -352,8 +353,8 @@ TEST(Vary, MistakesAreSaidAtTheirLine) {
   }
 }
 
-// A pipeline and a scene beside an experiment, which are edited once they are copied.
-TEST(ExperimentInputs, FilesBesideAnExperimentAreThoseOfTheCopy) {
+// A pipeline and a scene beside an experiment are edited after they are copied.
+TEST(ExperimentInputs, FilesBesideAnExperimentAreReadFromTheCopy) {
   TemporaryFolder folder;
   const Path project = folder.path() / "p", beside = project / "experiments";
   writeFileAtomically(project / Home::kProjectFile, "");
@@ -378,11 +379,11 @@ TEST(ExperimentInputs, FilesBesideAnExperimentAreThoseOfTheCopy) {
   script::evaluateScene(frozen.home(), beside / "card.lua", {}, &files);
   EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](const auto& file) {
     return file.shown == "experiments/card.lua";
-  })) << "its name in the home";
+  })) << "the file has its name in the home";
 }
 
-// A sweep reads a copy of the home; results name the files of the home itself.
-TEST(ExperimentInputs, PathsOfTheHomeGetItsNames) {
+// A sweep reads a copy of the home; results name the files of the original home.
+TEST(ExperimentInputs, PathsInTheHomeGetTheHomesNames) {
   const std::string file = (sourceFolder() / "experiments/pipelines/hybrid_steps.lua").string();
   Inputs inputs = {{file, "1"}, {"strobe:shaders/a.glsl", "2"}, {"/elsewhere/x.lua", "3"}};
   nameInputs(inputs, home());

@@ -25,7 +25,7 @@ class PointFilesTest : public ::testing::Test {
       packs.push_back(folder_.path() / kPacks / (name + ".zip"));
     return packs;
   }
-  // Two points, one of them with a picture, in a pack.
+  // Packs two points; one point has a picture.
   void writePack() {
     write("points/a.json", "a"), write("points/a.png", std::string("\0picture", 8)), write("points/b.json", "");
     write("points/b.exr", "linear"), write("points/b.record.json", "{}");
@@ -41,7 +41,7 @@ TEST_F(PointFilesTest, ReadsPacksLikeSingleFiles) {
   writePack();
   ASSERT_EQ(packs().size(), 1u);
   EXPECT_FALSE(fs::exists(folder_ / numbers("a")));
-  EXPECT_TRUE(fs::exists(folder_ / "points/b.exr")) << "stays a file of its own";
+  EXPECT_TRUE(fs::exists(folder_ / "points/b.exr")) << "is not packed";
   write("points/c.json", "single");
   const PointFiles after(folder_.path());
   for (const PointFiles* files : {&before, &after}) {
@@ -55,7 +55,7 @@ TEST_F(PointFilesTest, ReadsPacksLikeSingleFiles) {
   }
 }
 
-// A point that is measured again stays a file of its own, and precedes the packed one.
+// A point that is measured again is a separate file and overrides the packed point.
 TEST_F(PointFilesTest, PrefersSingleFiles) {
   writePack();
   write(numbers("a"), "again");
@@ -96,7 +96,7 @@ TEST_F(PointFilesTest, CountsDamagedPacksAsMissing) {
   altered[whole.find("picture")] = 'P';
   writeFileAtomically(packs()[0], std::string_view(altered), Flush::no);
   const PointFiles files(folder_.path());
-  EXPECT_EQ(files.read("points/a.png"), std::nullopt) << "differs from its checksum";
+  EXPECT_EQ(files.read("points/a.png"), std::nullopt) << "the data differ from their checksum";
   EXPECT_FALSE(files.has("points/a.png"));
   EXPECT_EQ(files.read(numbers("a")), "a");
 }

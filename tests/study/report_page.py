@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Uses FOLDER/report.html as a person does, for report_page_test.cpp: prints what is wrong, and how much was checked."""
+"""Uses FOLDER/report.html like a user, for report_page_test.cpp: prints problems and the number of checks."""
 import csv
 import json
 import sys
@@ -24,7 +24,7 @@ with open(folder + "/table.csv", newline="") as stream:
 
 
 def front(x, y, region, shot, higher=()):
-    """Numbers of the points that no other dominates, from the table alone."""
+    """Numbers of the undominated points, computed from the table."""
     costs = []
     for row in rows:
         if row["region"] == region and row["shot"] == shot and row[x] and row[y]:
@@ -42,7 +42,7 @@ def text(page, selector):
 
 
 def eventually(page, what, script, wanted=True):
-    """What pictures and files need time for."""
+    """Checks that wait for pictures and files."""
     until = time.monotonic() + 20
     while page.run(script) != wanted and time.monotonic() < until:
         time.sleep(0.05)
@@ -66,7 +66,7 @@ def fronts(page):
 
 
 def points(page):
-    """Chosen in the chart, pinned, stepped through; parameters are the difference to the last."""
+    """Points are chosen in the chart, pinned and stepped through; the page shows the parameters that differ from the last point."""
     expect("marks", len(numbers(page, "#view-front .mark")), 22)
     page.click('#view-front .mark[data-point="9"] .shape')
     expect("chosen", text(page, "#point h3"), "Point 9: third")
@@ -154,7 +154,7 @@ def rows_choose(page):
 
 
 def pins_wiped(page):
-    """Pinned points against each other, and the parts of their pictures where errors are largest."""
+    """Pinned points are compared with each other, with the crops of the largest errors."""
     page.go("about:blank")
     page.go(f"file://{folder}/report.html#point=9&pins=9.14&against=14")
     tags = "[...document.querySelectorAll('#point .tag')].map(one => one.textContent).join(' | ')"
@@ -185,7 +185,7 @@ def printed_at_load(page):
 def others(page):
     tab(page, "parallel")
     expect("lines", page.run("document.querySelectorAll('#view-parallel .line').length"), 22)
-    axis = "#view-parallel .dimension:nth-of-type(5) .overlay"  # arm is the first after the lines
+    axis = "#view-parallel .dimension:nth-of-type(5) .overlay"  # arm is the first axis after the lines
     expect("its axis", page.run("[...document.querySelectorAll('#view-parallel .dimension .title')].map(one => one.textContent)[3]"),
            "RMSE, inner")
     page.drag(axis, (0.5, 0.4), (0.5, 1))
@@ -211,7 +211,7 @@ def others(page):
 
 
 def lines(page):
-    """Lines by the keyboard alone: Tab to the first, arrow keys to the next, Enter pins; the focus stays."""
+    """Lines are reached by keyboard: Tab to the first, arrow keys to the next, Enter pins; the focus stays."""
     page.go("about:blank")
     page.go(f"file://{folder}/report.html#tab=parallel&only.samples=2")
     shown = page.run("explorer.sorted(explorer.visible()).map(one => one.n)")
@@ -253,7 +253,7 @@ def notes(page):
 
 
 def address(page):
-    """Everything that is chosen is there again where the address is opened."""
+    """The address restores all choices."""
     page.go("about:blank")
     page.go(f"file://{folder}/report.html#tab=table&shot=far&region=whole&y=flip&sort=-ms&point=30&last=27&pins=27.30&wipe=80"
             "&only.samples=4%7C8&only.ms=..5")
@@ -271,7 +271,7 @@ def address(page):
 
 
 def nonsense(page):
-    """An address of another page, or cut off, is taken as far as it goes."""
+    """Valid parts of an address from another page, or a truncated one, are used."""
     page.go("about:blank")
     page.go(f"file://{folder}/report.html#tab=no&x=no&shot=no&point=999&last=x&pins=1.999.x&wipe=x&sort=no&only.no=4&only.arm=%&point")
     expect("known ones", page.run("[explorer.state.tab, explorer.state.x, explorer.state.shot, explorer.state.pins.join()].join()"),
@@ -280,7 +280,7 @@ def nonsense(page):
     expect("all there", len(numbers(page, "#view-front .mark")), 22)
 
 
-# Of every element with a text of its own: WCAG's contrast of its colour on what is behind it.
+# WCAG contrast between the colour and the background of every element with its own text.
 CONTRAST = """(() => {
   const channels = text => (text.match(/[\\d.]+/g) || []).map(Number);
   const luminance = rgb => { const [r, g, b] = rgb.map(v => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
@@ -301,7 +301,7 @@ CONTRAST = """(() => {
 
 
 def reachable(page):
-    """Tab alone reaches every kind of control, and what has the focus can be seen."""
+    """Tab reaches every kind of control, and the focus is visible."""
     page.go("about:blank")
     page.go(f"file://{folder}/report.html#point=9&pins=9.14")
     page.run("document.activeElement.blur(); scrollTo(0, 0)")
@@ -311,7 +311,7 @@ def reachable(page):
         found = page.run("(() => { const e = document.activeElement, s = getComputedStyle(e), r = e.querySelector('.ring');"
                          " return [e.id || e.getAttribute('class') || e.tagName, s.outlineStyle !== 'none' ||"
                          " (!!r && getComputedStyle(r).strokeWidth === '3px')]; })()")
-        if found[0] == "BODY":  # once around
+        if found[0] == "BODY":  # focus is back at the start
             break
         seen.add(found[0].split(" ")[0])
         expect("focus of " + found[0], found[1])
@@ -330,7 +330,7 @@ def contrast(dark):
 
 
 def printed(page):
-    """Controls are left out, every view is there."""
+    """The printed page has every view and no controls."""
     tab(page, "front")
     page.pdf(folder + "/page.pdf")
     page.call("Emulation.setEmulatedMedia", media="print")

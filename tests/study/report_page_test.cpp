@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page that points can be clicked through: what is in it, how large it is, and what a browser does with it.
+// The interactive page of a report: its contents, its size, and its behaviour in a browser.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ using image::Image;
 
 constexpr int kWidth = 64, kHeight = 36;
 
-// Stripes; `error` spoils the right half.
+// Stripes; noise of deviation `error` in the right half.
 Image pictureOf(int width, int height, double error, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<float> noise(0, float(error));
@@ -30,7 +30,7 @@ Image pictureOf(int width, int height, double error, unsigned seed) {
   return picture;
 }
 
-// Two shots, three arms, samples and tiles, with their pictures in `folder`; one point failed, one is not drawn yet.
+// Two shots, three arms, samples and tiles, with pictures in `folder`; one point failed, one is not drawn yet.
 Results made(const Path& folder, int width, int height, const std::vector<int>& samples,
              const std::vector<int>& tiles) {
   Results results;
@@ -89,7 +89,7 @@ Results small(const Path& folder) { return made(folder, kWidth, kHeight, {2, 4, 
 
 page::Library library() { return {"window.d3 = {};", "a library", "its licence */ goes on"}; }
 
-// ---- data
+// ---- Data
 
 size_t bytesOf(const WrittenImages& images) {
   size_t bytes = 0;
@@ -97,13 +97,13 @@ size_t bytesOf(const WrittenImages& images) {
   return bytes;
 }
 
-TEST(PageImages, AreEachOnceAndExactWhereThereIsRoom) {
+TEST(PageImages, AreStoredOnceAndExactlyIfTheyFit) {
   testing::TemporaryFolder folder;
   Results results = small(folder.path());
   PageImages images = pageImagesOf(results, folder.path());
-  EXPECT_EQ(images.points[0][0].picture, images.points[2][0].picture) << "the same truth";
+  EXPECT_EQ(images.points[0][0].picture, images.points[2][0].picture) << "groups share the truth's picture";
   EXPECT_EQ(images.points[1][1].picture, -1);
-  EXPECT_EQ(images.points[0][0].flip, images.points[2][0].flip) << "truth against itself";
+  EXPECT_EQ(images.points[0][0].flip, images.points[2][0].flip) << "FLIP of truth against itself is shared";
   EXPECT_GE(images.points[0][1].worst.x, kWidth / 2 - kWorstWidth + 1);
   EXPECT_EQ(images.points[0][1].worst.width, kWorstWidth);
 
@@ -117,7 +117,7 @@ TEST(PageImages, AreEachOnceAndExactWhereThereIsRoom) {
   EXPECT_THROW(pageImagesOf(results, folder.path()), Error);
 }
 
-TEST(ExplorerData, HasPointsByTheNumbersOfTheTable) {
+TEST(ExplorerData, HasPointsNumberedLikeTheTable) {
   testing::TemporaryFolder folder;
   Results results = small(folder.path());
   Json data = explorerData(results, folder.path(), 1'000'000);
@@ -138,28 +138,28 @@ TEST(ExplorerData, HasPointsByTheNumbersOfTheTable) {
   EXPECT_EQ(data["front"]["shot"], "near");
 }
 
-// Numbers without pictures: what an old folder or a copy of result.json has.
-TEST(ExplorerData, GoesWithoutPictures) {
+// Numbers without pictures, as in an old folder or a copy of result.json.
+TEST(ExplorerData, WorksWithoutPictures) {
   testing::TemporaryFolder folder, elsewhere;
   Json data = explorerData(small(folder.path()), elsewhere.path(), 1'000'000);
   EXPECT_TRUE(data["pictures"].empty());
   EXPECT_EQ(data["notices"][2], "46 points have no picture beside the results, in points/");
 }
 
-// ---- the page
+// ---- The page
 
-TEST(ReportPage, CarriesItsLibraryAndData) {
+TEST(ReportPage, ContainsItsLibraryAndData) {
   testing::TemporaryFolder folder;
   std::string page = Report(small(folder.path()), folder.path()).page(library());
   EXPECT_NE(page.find("/*\nits licence * / goes on*/\nwindow.d3 = {};"), std::string::npos);
   EXPECT_NE(page.find("Interactive charts by a library"), std::string::npos);
-  EXPECT_NE(page.find("Made \\u003c/script> up"), std::string::npos) << "a text does not end the script";
-  EXPECT_NE(page.find("<div class=\"still\">"), std::string::npos) << "for print without scripts";
+  EXPECT_NE(page.find("Made \\u003c/script> up"), std::string::npos) << "escaped text cannot end the script";
+  EXPECT_NE(page.find("<div class=\"still\">"), std::string::npos) << "static version for print and without scripts";
 }
 
-// 300 points of which half of every picture is noise: what takes most. A quarter of the pixels of 320x180 in a quarter
-// of eight megabytes.
-TEST(ReportPage, OfThreeHundredPointsIsAsSmallAsAsked) {
+// The worst case for size: 300 points with noise in half of every picture. Scaled down to a quarter of the pixels of
+// 320x180 and a quarter of eight megabytes.
+TEST(ReportPage, OfThreeHundredPointsMeetsItsSizeLimit) {
   testing::TemporaryFolder folder;
   Results results = made(folder.path(), 160, 90, {1, 2, 4, 8, 16}, {8, 10, 12, 14, 16, 20, 24, 28, 32, 40});
   std::string page = Report(results, folder.path()).page(library(), 2'000'000);
@@ -168,8 +168,8 @@ TEST(ReportPage, OfThreeHundredPointsIsAsSmallAsAsked) {
   EXPECT_NE(page.find("pictures are reduced"), std::string::npos);
 }
 
-// report_page.py says what it does; it prints what is wrong.
-TEST(ReportPage, InABrowser) {
+// report_page.py controls the browser and prints its findings.
+TEST(ReportPage, WorksInABrowser) {
   page::Library d3 = page::findLibrary();
   if (!d3.found()) GTEST_SKIP() << "no chart library (" << page::kLibraryPackage << ")";
   if (testing::runLine("command -v chromium").exit_code != 0) GTEST_SKIP() << "no Chromium";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results as a value: to disk and back, as a table, as curves with the range in which an arm is trusted, as a page.
+// Results: written and read, as a table, as curves with the range in which an arm is trusted, and as a page.
 #include "study/results.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Point of(const std::string& arm, ArmRole role, double rmse, std::vector<std::str
   return point;
 }
 
-// Contrast 0.5, floor 0.01: one method that is always good, one that is bad everywhere, one that ends on both sides.
+// Contrast 0.5, floor 0.01: one method that is always good, one that is always bad, and one that is good in a range.
 Results made() {
   Results results;
   results.strobe = "0", results.title = "A <report>", results.note = "A note.", results.command = "strobe sweep x.lua";
@@ -67,7 +67,7 @@ Results made() {
 
 Curve curveOf(const Results& results) { return Curve(results, results.axes[0], 2); }
 
-TEST(Curves, TrustEndsWhereErrorOrLimitBegin) {
+TEST(Curves, TrustEndsAtErrorsAndLimits) {
   Results results = made();
   Curve curve = curveOf(results);
   EXPECT_EQ(curve.trusted("good", Against::floor).count, 5u);
@@ -86,28 +86,28 @@ TEST(Curves, TrustEndsWhereErrorOrLimitBegin) {
   EXPECT_EQ(curve.range("bad", Against::floor), "nowhere");
 }
 
-TEST(Curves, NotFiniteIsNeverTrusted) {
+TEST(Curves, NonFinitePicturesAreNeverTrusted) {
   Results results = made();
   results.groups[3].points[1].values = {{"broken", {{"all", 12}}}};
   EXPECT_EQ(curveOf(results).trusted("good", Against::own).above, Doubt::broken);
   EXPECT_NE(Report(results, "").page().find("not finite"), std::string::npos);
 }
 
-// Truth that is unsure of itself condemns nobody.
-TEST(Curves, ErrorsWithinThoseOfTruthAreAllowed) {
+// An error within the uncertainty of truth does not count.
+TEST(Curves, ErrorsWithinTruthsUncertaintyAreAllowed) {
   Results results = made();
   for (PointGroup& group : results.groups) group.points[0].values["rmse"] = {{"whole", 0.03}};
   EXPECT_EQ(curveOf(results).trusted("bad", Against::floor).count, 4u) << "0.1 < 2 * 0.01 + 3 * 0.03";
 }
 
-TEST(Curves, ReadingsAreFilledWithNumbers) {
+TEST(Curves, ReadingsAreFilledIn) {
   Results results = made();
   Curve curve = curveOf(results);
   EXPECT_EQ(curve.filled("{good @ 30} of {floor @ 1}; {from mixed} to {to mixed}"), "3.00 % of 2.00 %; 3 to 10");
   for (const char* wrong : {"{god @ 30}", "{good @ 31}", "{good}"}) EXPECT_THROW(curve.filled(wrong), Error) << wrong;
 }
 
-// Times of two devices never stand in one table, figure or page section.
+// Times of two devices are never in the same table, figure or page section.
 TEST(Results, TimesOfTwoDevicesAreGroupedByDevice) {
   Results results = made();
   results.measures = {"rmse", "ms"};
@@ -139,7 +139,7 @@ TEST(Results, TimesOfTwoDevicesAreGroupedByDevice) {
   EXPECT_EQ(toJson(resultsFrom(toJson(results), "x")).dump(), toJson(results).dump());
 }
 
-// An expectation that reads times of two devices does not apply. Others are judged as before.
+// An expectation that reads times of two devices does not apply. Other expectations are evaluated as usual.
 TEST(Results, ExpectationsDoNotCompareTimesOfTwoDevices) {
   testing::TemporaryFolder folder;
   testing::writeText(folder / "x.lua", R"lua(
@@ -161,7 +161,7 @@ return require "strobe.experiment" {
   EXPECT_EQ(results.expectations[1].outcome, "holds");
 }
 
-// A report fills gaps with points of other devices; a sweep draws them again.
+// A report fills gaps with points of other devices; a sweep draws these points again.
 TEST(Results, PointsOfAnotherDeviceFillGapsOfAReport) {
   testing::TemporaryFolder folder;
   Store store(folder.path());
@@ -181,13 +181,13 @@ TEST(Results, PointsOfAnotherDeviceFillGapsOfAReport) {
   EXPECT_EQ(strict.missing(), 3u);
   takePoints(results, folder.path(), true);
   EXPECT_EQ(results.missing(), 2u);
-  EXPECT_EQ(group.points[1].device, "") << "its own device first";
+  EXPECT_EQ(group.points[1].device, "") << "the run's own device has priority";
   EXPECT_EQ(group.points[1].key, "1_11111111");
   EXPECT_EQ(results.deviceOf(group.points[2]), "other, driver");
   EXPECT_EQ(group.points[2].key, "2_22222222");
 }
 
-TEST(Results, AreTheSameFromDisk) {
+TEST(Results, RoundTripThroughDisk) {
   Results results = made();
   results.expectations = {{"it is good", "shot", "", "holds", "0.5", ""}};
   results.inputs = {{"strobe:shaders/x.glsl", "12"}};
@@ -201,7 +201,7 @@ TEST(Results, AreTheSameFromDisk) {
   EXPECT_THROW(resultsFrom(json, "result.json"), Error);
 }
 
-TEST(Results, AsATable) {
+TEST(Results, AreWrittenAsATable) {
   Results results = made();
   results.groups[0].points[0].values["rmse"] = {{"whole", 0.002}, {"inner", 0.001}};
   results.groups[0].points[1].preset = "best";
@@ -222,7 +222,7 @@ TEST(Results, AsATable) {
   EXPECT_EQ(lines, 5u * 4 * 7) << "5 values, 4 arms, 7 regions";
 }
 
-// An expectation that fails, or holds although it is said not to, is named.
+// An expectation that fails, or that holds although it is declared to fail, is named.
 TEST(Results, ContradictionsAreNamed) {
   Results results = made();
   results.expectations = {{"first", "", "", "holds", "", ""},
@@ -235,7 +235,7 @@ TEST(Results, ContradictionsAreNamed) {
                                       "expectation holds; known to fail: the floor is too high: fourth"}));
 }
 
-// Names and numbers by which results are laid out; and a file that was altered anywhere.
+// Damaged names and numbers used by the layout, and a file with any change.
 TEST(Results, DamageIsRefused) {
   auto refusal = [](auto damage) -> std::string {
     Json json = toJson(made());
@@ -280,11 +280,11 @@ TEST(Results, DamageIsRefused) {
   EXPECT_EQ(toJson(resultsIn(folder / "result.json")).dump(), toJson(made()).dump());
   text[text.find("0.015") + 4] = '6';
   testing::writeText(folder / "result.json", text);
-  EXPECT_THROW(resultsIn(folder / "result.json"), Error) << "another number";
+  EXPECT_THROW(resultsIn(folder / "result.json"), Error) << "a changed number";
 }
 
-// A sweep can end at any moment, and a point in many ways.
-TEST(Report, LaysOutWhateverPointsThereAre) {
+// A sweep may end at any time, and a point may be incomplete in many ways.
+TEST(Report, ShowsAnyIncompletePoints) {
   std::mt19937 random(1);
   for (const char* layout :
        {R"({"curves": {"factor": 2}})", R"({"pictures": {}})", R"({"front": {"x": "rmse", "y": "rmse"}})",
@@ -295,7 +295,7 @@ TEST(Report, LaysOutWhateverPointsThereAre) {
       for (PointGroup& group : results.groups)
         for (Point& point : group.points) {
           int fate = i < 2 ? 0 : int(random() % 4);
-          if (i == 1 && &point == &results.groups[0].points[0]) continue;  // truth's own point alone
+          if (i == 1 && &point == &results.groups[0].points[0]) continue;  // keep truth's point only
           if (fate < 3) point.values.clear();
           if (fate == 1) point.failed = "a reason";
           if (fate == 2) point.values["broken"]["all"] = 2;
@@ -312,7 +312,7 @@ TEST(Report, LaysOutWhateverPointsThereAre) {
 }
 
 // Truth is drawn first.
-TEST(Report, ShowsTheTruthAlone) {
+TEST(Report, ShowsTruthAlone) {
   testing::TemporaryFolder folder;
   image::ExrFile file;
   file.add("", {"R", "G", "B"}, image::Image(64, 36, 3, 0.5f));
@@ -345,14 +345,13 @@ TEST(Report, PageNeedsNoNetwork) {
 TEST(Measures, HaveNamesUnitsAndWords) {
   for (const Measure& measure : measures()) {
     EXPECT_FALSE(measure.title.empty() || measure.doc.empty()) << measure.name;
-    EXPECT_NE(measure.of_picture == nullptr, measure.of_times == nullptr)
-        << measure.name << " is of a picture or of times";
-    EXPECT_EQ(&measureNamed(measure.name), &measure) << "another is called so";
+    EXPECT_NE(measure.of_picture == nullptr, measure.of_times == nullptr) << measure.name << " has a wrong kind";
+    EXPECT_EQ(&measureNamed(measure.name), &measure) << "name is not unique";
   }
 }
 
-// Numbers of what is not finite would be NaN, or of the other pixels alone.
-TEST(Measures, OfColoursThatAreNotFiniteHaveNoValue) {
+// Values for pictures with non-finite pixels would be NaN, or would leave pixels out.
+TEST(Measures, OfNonFiniteColoursHaveNoValue) {
   TruthPicture truth;
   truth.color = image::Image(4, 4, 3, 0.5f);
   truth.masks["whole"] = {};
@@ -372,7 +371,7 @@ TEST(Measures, OfColoursThatAreNotFiniteHaveNoValue) {
   for (float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
     input.color.at(1, 2, 0) = input.color.at(1, 2, 1) = input.color.at(3, 3, 2) = bad;
     Values values = measured(input, names, {"whole"});
-    EXPECT_EQ(values["broken"]["all"], 2) << "pixels, not values";
+    EXPECT_EQ(values["broken"]["all"], 2) << "counts pixels, not values";
     EXPECT_EQ(values["pixels"]["whole"], 16);
     EXPECT_EQ(values["bytes"]["all"], 4);
     for (const std::string& name : colours)
@@ -380,8 +379,8 @@ TEST(Measures, OfColoursThatAreNotFiniteHaveNoValue) {
   }
 }
 
-// The output `error` is compared with the error of each pixel, in the pixels of the region.
-TEST(Measures, AnEstimatedErrorIsComparedWithTheError) {
+// The output `error` is compared with the error of each pixel of the region.
+TEST(Measures, EstimatedErrorIsComparedWithTheError) {
   TruthPicture truth;
   truth.color = image::Image(3, 1, 3, 0.5f);
   truth.masks["whole"] = {};
@@ -407,14 +406,14 @@ TEST(Measures, AnEstimatedErrorIsComparedWithTheError) {
   EXPECT_NEAR(values["estimate_rank"]["moving"], -1, 1e-12);
 }
 
-// ---- what ships
+// ---- Shipped results
 
 Results committed(const std::string& question) {
   Path file = home().shipped() / "experiments" / question / "result.json";
   return resultsFrom(Json::parse(readText(file)), file.string());
 }
 
-// Every question in experiments/ that has been answered.
+// Every experiment in experiments/ with a result.
 std::vector<std::string> answered() {
   std::vector<std::string> questions;
   for (const auto& entry : std::filesystem::directory_iterator(home().shipped() / "experiments"))
@@ -425,7 +424,7 @@ std::vector<std::string> answered() {
 
 class Committed : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(Committed, PagesAreMadeOfTheirNumbers) {
+TEST_P(Committed, PagesMatchTheirNumbers) {
   Path folder = home().shipped() / "experiments" / GetParam();
   Results results = committed(GetParam());
   Report report(results, folder);
@@ -436,9 +435,9 @@ TEST_P(Committed, PagesAreMadeOfTheirNumbers) {
   EXPECT_EQ(readText(folder / "table.csv"), csvOf(results));
 }
 
-// The kitchen's mug, whole picture: 0.01838 and 0.01816, closer than two standard errors of truth. Living room, outer:
-// 0.02106 and 0.01099, and truth's standard error is 0.00280.
-TEST(Ranking, WhatTruthCannotTellApartIsNotRanked) {
+// Kitchen, mug, whole picture: 0.01838 and 0.01816 are closer than two standard errors of truth. Living room, outer:
+// 0.02106 and 0.01099, with a standard error of truth of 0.00280.
+TEST(Ranking, MethodsWithinTruthsUncertaintyAreNotRanked) {
   std::string text = Report(committed("real_scenes"), home().shipped() / "experiments/real_scenes").markdown("");
   EXPECT_NE(text.find("| 0.01838? |"), std::string::npos);
   EXPECT_NE(text.find("| 0.01816? |"), std::string::npos);
@@ -446,8 +445,8 @@ TEST(Ranking, WhatTruthCannotTellApartIsNotRanked) {
   EXPECT_NE(text.find("| **0.01098** |"), std::string::npos);
 }
 
-// Texts, expectations and their outcomes are those of the file as it is.
-TEST_P(Committed, NumbersAreOfTheExperimentAsItIs) {
+// Texts, expectations and outcomes match the current experiment file.
+TEST_P(Committed, NumbersMatchTheCurrentExperiment) {
   Results results = committed(GetParam());
   std::string file = (home().shipped() / "experiments" / GetParam() / (GetParam() + ".lua")).string();
   Experiment experiment = readExperiment(home(), file, false);
@@ -466,7 +465,7 @@ TEST_P(Committed, NumbersAreOfTheExperimentAsItIs) {
       EXPECT_EQ(group.points[i].arm, arm.name);
       if (group.points[i].command.empty()) continue;
       lab::Shot shot = shotOf(experiment, experiment.groups[g], arm);
-      // A scene beside the experiment, as from the root of the clone.
+      // Scenes beside the experiment are named relative to the root of the clone.
       std::string root = home().shipped().string() + "/";
       if (shot.scene.starts_with(root)) shot.scene = shot.scene.substr(root.size());
       EXPECT_EQ(group.points[i].command, commandOf(experiment.shots[experiment.groups[g].shot], shot));
@@ -474,7 +473,7 @@ TEST_P(Committed, NumbersAreOfTheExperimentAsItIs) {
   }
 }
 
-// What was expected, whether it holds, and the numbers for it; and a line in the list of questions.
+// The page states each expectation, its outcome and its numbers, and the list of experiments has a line for it.
 TEST_P(Committed, PagesStateEveryExpectation) {
   std::string text = readText(home().shipped() / "experiments" / GetParam() / "result.md");
   for (const Expectation& expectation : committed(GetParam()).expectations) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is measured of experiments: errors against closed forms, memory that can be counted by hand, differences against
-// the pictures themselves, and expectations that fail when they must.
+// Measures of experiments: errors compared with closed forms, memory counted by hand, differences computed from the
+// pictures, and expectations that must fail.
 #include "study/run.h"
 
 #include <gtest/gtest.h>
@@ -29,8 +29,8 @@ class Measuring : public oracle::RenderTest {
   }
 };
 
-// A white half-plane x < 80 that moves to the right over black. Only its edge blurs, so that no closed form is needed
-// for anything but the edge.
+// A white half-plane x < 80 that moves right over black. Only its edge blurs, so that a closed form is needed only for
+// the edge.
 const char* const kHalfPlane = R"lua(
 local experiment = require "strobe.experiment"
 local list = experiment.list
@@ -48,10 +48,10 @@ return experiment {
 }
 )lua";
 
-// Truth of 512 midpoints is off by at most 1 / (2 * 512) where one edge passes.
+// Truth of 512 midpoints has an error of at most 1 / (2 * 512) where one edge passes.
 constexpr double kOfTruth = 0.5 / 512;
 
-TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
+TEST_F(Measuring, ErrorsMatchTheClosedForm) {
   Results results = measured(kHalfPlane);
   ASSERT_EQ(results.groups.size(), 6u);
   for (size_t g = 0; g < 3; ++g) {
@@ -61,10 +61,10 @@ TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
       squares += missed * missed;
     }
     EXPECT_NEAR(results.groups[g].find("no blur")->value("rmse"), std::sqrt(squares / 160), kOfTruth) << speed;
-    EXPECT_EQ(results.groups[g].truth().value("change") == 0, speed == 12.7) << "against the benign value";
+    EXPECT_EQ(results.groups[g].truth().value("change") == 0, speed == 12.7) << "change from the benign value";
   }
 
-  // The floor of N midpoints against the exact exposure, pixels of the inner blur alone.
+  // The floor of N midpoints against the exact exposure, for pixels of the inner blur only.
   const oracle::Strips plane = {{-oracle::kInfinity, 80, 12.7, {1}}, {-oracle::kInfinity, oracle::kInfinity, 0, {0}}};
   for (size_t g = 3; g < 6; ++g) {
     const PointGroup& group = results.groups[g];
@@ -78,19 +78,19 @@ TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
       squares += off * off;
       ++count;
     }
-    EXPECT_EQ(group.truth().value("pixels", "inner"), 4 * count) << "inner pixels: those the edge passes";
+    EXPECT_EQ(group.truth().value("pixels", "inner"), 4 * count) << "inner pixels: pixels that the edge passes";
     EXPECT_NEAR(group.floor()->value("rmse", "inner"), std::sqrt(squares / count), 2 * kOfTruth) << samples;
   }
-  // One over N: 16 times as many samples have a 16th of the error, give or take where the edge happens to lie.
+  // The error is proportional to 1/N: 16 times as many samples have 1/16 of the error, up to the position of the edge.
   auto floor = [&](size_t g) { return results.groups[g].floor()->value("rmse", "inner"); };
   EXPECT_GT(floor(3) / floor(5), 16 / 1.5);
   EXPECT_LT(floor(3) / floor(5), 16 * 1.5);
   EXPECT_EQ(results.groups[3].find("no blur")->value("rmse"), results.groups[5].find("no blur")->value("rmse"))
-      << "lacks samples";
+      << "`no blur` has no parameter samples";
 }
 
-// Every file that the run record of a picture names, and the experiment itself.
-TEST_F(Measuring, InputsAreThoseOfTheRunRecords) {
+// Every file in the run record of a picture, and the experiment itself.
+TEST_F(Measuring, InputsMatchTheRunRecords) {
   testing::TemporaryFolder folder;
   testing::writeText(folder / "x.lua", kHalfPlane);
   const Home& home = bench().home();
@@ -109,11 +109,11 @@ TEST_F(Measuring, InputsAreThoseOfTheRunRecords) {
   other.contentOf(oracle::with(oracle::shotOf("half_plane", 160, 4), "mcguire2012"));
   EXPECT_TRUE(std::any_of(other.inputs().begin(), other.inputs().end(), [&](const Path& file) {
     return !results.inputs.count(home.recorded(file, ""));
-  })) << "shaders of other pipelines are not among them";
+  })) << "shaders of other pipelines are not inputs";
   EXPECT_EQ(resultsFrom(toJson(results), "x").inputs, results.inputs);
 }
 
-// A point that was drawn stays when only comments change.
+// A stored point stays valid if only comments change.
 TEST_F(Measuring, KeysDoNotDependOnCommentsOfShaders) {
   testing::TemporaryFolder folder;
   FrozenHome copy(bench().home(), folder.path() / "home");
@@ -129,7 +129,7 @@ TEST_F(Measuring, KeysDoNotDependOnCommentsOfShaders) {
   EXPECT_NE(content(before + "const int another = 1;\n"), key);
 }
 
-// A card of 20 x 8 px that moves by 6 px before a wall at rest, in front of the camera's centre.
+// A bar from x = 16 to 32 that moves by 6 px over the exposure.
 const char* const kRegions = R"lua(
 local experiment = require "strobe.experiment"
 return experiment {
@@ -146,12 +146,12 @@ return experiment {
 }
 )lua";
 
-TEST_F(Measuring, RegionsOfTheCaptureAndTimesAsRatios) {
+TEST_F(Measuring, HasRegionsAndTimeRatios) {
   Results results = measured(kRegions);
   const Point& none = results.groups.at(0).points.at(1);
   EXPECT_EQ(none.value("pixels", "whole"), 48 * 24);
   EXPECT_EQ(none.value("pixels", "moving"), 16 * 24) << "the bar from 16 to 32";
-  EXPECT_EQ(none.value("pixels", "edge"), 2 * 4 * 24) << "two to either side of its two edges";
+  EXPECT_EQ(none.value("pixels", "edge"), 2 * 4 * 24) << "two pixels to each side of its two edges";
   EXPECT_EQ(none.value("rmse", "whole"), none.value("rmse"));
   EXPECT_GT(none.value("p999", "whole"), none.value("rmse", "whole"));
   EXPECT_LT(none.value("psnr", "edge"), none.value("psnr", "whole")) << "errors lie at the edges";
@@ -161,14 +161,14 @@ TEST_F(Measuring, RegionsOfTheCaptureAndTimesAsRatios) {
   EXPECT_LE(none.value("ms_low"), none.value("ms"));
   EXPECT_GE(none.value("ms_high"), none.value("ms"));
   EXPECT_GT(none.value("ms_ratio"), 0);
-  EXPECT_GT(results.groups[0].points[2].value("ms_ratio"), 0) << "the base too";
+  EXPECT_GT(results.groups[0].points[2].value("ms_ratio"), 0) << "the base is measured too";
   EXPECT_EQ(none.image, results.groups[0].points[2].image);
-  EXPECT_TRUE(std::isnan(results.groups[0].points[3].value("ms"))) << "a truth";
-  EXPECT_GT(results.groups[0].points[4].value("ms"), 0) << "which says so";
+  EXPECT_TRUE(std::isnan(results.groups[0].points[3].value("ms"))) << "truth has no times";
+  EXPECT_GT(results.groups[0].points[4].value("ms"), 0) << "an arm that requests times";
   EXPECT_TRUE(std::isnan(results.groups[0].points[5].value("ms")));
 }
 
-// The same bar from frame to frame: none jumps by whole displacements where truth has ramps.
+// The same bar from frame to frame: arm `none` jumps by whole displacements where truth has ramps.
 const char* const kSequence = R"lua(
 local experiment = require "strobe.experiment"
 return experiment {
@@ -180,10 +180,10 @@ return experiment {
 }
 )lua";
 
-TEST_F(Measuring, SequencesHaveTheFlickerOfTheClosedForm) {
+TEST_F(Measuring, FlickerOfSequencesMatchesTheClosedForm) {
   Results results = measured(kSequence);
   const Point& none = results.groups.at(0).points.at(1);
-  // Exposure half a frame: 12.7 px over it are 25.4 px from frame to frame.
+  // With an exposure of half a frame interval, 12.7 px per exposure are 25.4 px per frame.
   auto edge = [](int frame) { return 80 + 25.4 * frame; };
   double squares = 0, flicker = 0;
   for (int frame = 0; frame < 3; ++frame) {
@@ -197,14 +197,14 @@ TEST_F(Measuring, SequencesHaveTheFlickerOfTheClosedForm) {
     }
     squares += std::sqrt(sum / 160) / 3;
   }
-  EXPECT_NEAR(none.value("rmse"), squares, kOfTruth) << "the mean over the frames";
+  EXPECT_NEAR(none.value("rmse"), squares, kOfTruth) << "mean over the frames";
   EXPECT_NEAR(none.value("flicker"), flicker, 2 * kOfTruth);
 
-  // Every masked pixel has a ray of its own, and none of this flat scene casts shadows.
+  // Every masked pixel has a ray, and this flat scene casts no shadows.
   const Point& hybrid = results.groups[0].points[2];
   EXPECT_GT(hybrid.value("masked"), 0);
   EXPECT_GE(hybrid.value("rays"), hybrid.value("masked"));
-  EXPECT_TRUE(std::isnan(none.value("masked"))) << "it has no mask";
+  EXPECT_TRUE(std::isnan(none.value("masked"))) << "the arm has no mask";
   EXPECT_LT(hybrid.value("flicker"), none.value("flicker"));
 }
 
@@ -218,23 +218,23 @@ return experiment {
 }
 )lua";
 
-TEST_F(Measuring, TruthHasAsManySamplesAsItsErrorAsksFor) {
+TEST_F(Measuring, TruthTakesSamplesUntilItsErrorIsSmall) {
   Results coarse = measured(kCoarse);
   const PointGroup& group = coarse.groups.at(0);
   double error = group.truth().value("rmse");
 
   Results finer = measured(kCoarse, error / 8);
   EXPECT_LE(finer.groups.at(0).truth().value("rmse"), error / 8);
-  EXPECT_NE(finer.groups[0].truth().command, group.truth().command) << "with its samples";
+  EXPECT_NE(finer.groups[0].truth().command, group.truth().command) << "the command includes the samples";
 
-  // 65536 samples are the most; with this tolerance few of them are taken.
+  // The maximum is 65536 samples; with this tolerance truth takes only a few samples.
   std::string most = kCoarse;
   most.replace(most.find("samples = 4"), 11, "samples = 65536, tolerance = 1");
   Results refused = measured(most, 1e-12);
   EXPECT_NE(refused.groups.at(0).points[1].failed.find("with its maximum of"), std::string::npos);
 }
 
-// Bytes of formats can be counted; differences are those of the pictures.
+// Bytes of formats can be counted; differences are computed from the pictures.
 const char* const kFormats = R"lua(
 local experiment = require "strobe.experiment"
 local list = experiment.list
@@ -258,17 +258,17 @@ return experiment {
 }
 )lua";
 
-TEST_F(Measuring, BytesDifferencesAndLimits) {
+TEST_F(Measuring, HasBytesDifferencesAndLimits) {
   Results results = measured(kFormats);
   ASSERT_EQ(results.groups.size(), 4u);
   auto value = [&](size_t g, const std::string& measure) { return results.groups[g].points[1].value(measure); };
   EXPECT_EQ(value(1, "bytes"), value(0, "bytes") - 4);  // rg32f to rg16f
   EXPECT_EQ(value(3, "bytes"), value(2, "bytes") - 8);  // rgba32f to rgba16f
-  EXPECT_NEAR(value(0, "memory"), value(0, "bytes") * 48 * 8 / (1 << 20), 1e-9) << "nine digits are kept";
+  EXPECT_NEAR(value(0, "memory"), value(0, "bytes") * 48 * 8 / (1 << 20), 1e-9) << "nine digits are stored";
   EXPECT_EQ(value(0, "change"), 0);
-  EXPECT_NEAR(value(3, "change"), 70000 - 65504, 0.1);  // the bar where nothing else is, a sum of 16 taps in fp32
-  EXPECT_EQ(value(3, "rmse"), 0) << "it is the truth here";
-  EXPECT_EQ(value(2, "rmse"), value(3, "change_rms")) << "the same two pictures";
+  EXPECT_NEAR(value(3, "change"), 70000 - 65504, 0.1);  // inside the bar, a sum of 16 taps in fp32
+  EXPECT_EQ(value(3, "rmse"), 0) << "this arm is truth here";
+  EXPECT_EQ(value(2, "rmse"), value(3, "change_rms")) << "compares the same two pictures";
   ASSERT_EQ(results.groups[3].points[1].limits.size(), 1u);
   EXPECT_NE(results.groups[3].points[1].limits[0].find(fmt::format("{}", 16 * 8)), std::string::npos);
   for (size_t g = 0; g < 4; ++g) EXPECT_GT(value(g, "ms"), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search on functions whose optimum is known; nothing is drawn.
+// The search on functions with a known optimum; no pictures are drawn.
 #include "study/search.h"
 
 #include <gtest/gtest.h>
@@ -38,8 +38,8 @@ double of(const plan::Value& value) {
   return whole ? double(*whole) : std::get<double>(value);
 }
 
-// A method with samples that cost, a width that is best at 0.3, a kind that matters, a flag that doubles the cost for
-// nothing, and a number that does nothing.
+// A method with samples that have a cost, a width with optimum 0.3, a kind that matters, a flag that doubles the cost
+// without a benefit, and a number without an effect.
 const Space kSpace = {{number("samples", Type::Int, 1, 1024), int64_t(16)},
                       {number("width", Type::Float, 1e-3, 10), 0.1},
                       {choice("kind", {"plain", "good", "better"}), "plain"},
@@ -68,7 +68,7 @@ struct Counted {
   std::set<std::string> measured;
 };
 
-// What a setting decides: all but the number that does nothing. The flag is refused together with "good".
+// Identity of a setting: all values except the number without an effect. The flag is refused together with "good".
 std::string identityOf(const Spot& spot) {
   if (std::get<bool>(spot[3]) && spot[2] == plan::Value("good")) return "";
   std::string text;
@@ -83,7 +83,7 @@ Search searched(const Goal& goal, int evaluations, Counted& counted) {
       ++counted.by_level[size_t(level)];
       EXPECT_TRUE(counted.measured.insert(fmt::format("{} {}", level, identityOf(spot))).second) << "measured twice";
       scores.push_back(scoreOf(spot));
-      if (level == 0) scores.back().error *= 1 + 0.2 * std::sin(scores.back().cost);  // what is cheap is rough
+      if (level == 0) scores.back().error *= 1 + 0.2 * std::sin(scores.back().cost);  // cheap measurements are inexact
     }
     return scores;
   };
@@ -92,7 +92,7 @@ Search searched(const Goal& goal, int evaluations, Counted& counted) {
   return search;
 }
 
-TEST(Searching, FindsTheLeastErrorWithinACost) {
+TEST(Searching, FindsTheSmallestErrorWithinACost) {
   Counted counted;
   Goal goal{Goal::Kind::least_error, 99};
   Search search = searched(goal, 150, counted);
@@ -100,13 +100,13 @@ TEST(Searching, FindsTheLeastErrorWithinACost) {
   EXPECT_EQ(std::get<std::string>(best.spot[2]), "better");
   EXPECT_FALSE(std::get<bool>(best.spot[3]));
   EXPECT_LE(best.score.cost, 99);
-  EXPECT_GE(of(best.spot[0]), 45) << "64 samples are the most that fit";
+  EXPECT_GE(of(best.spot[0]), 45) << "at most 64 samples fit the budget";
   EXPECT_NEAR(std::log2(of(best.spot[1]) / 0.3), 0, 0.3);
-  EXPECT_EQ(best.spot[4], kSpace[4].start) << "what decides nothing stays as it is";
+  EXPECT_EQ(best.spot[4], kSpace[4].start) << "a parameter without an effect is unchanged";
   EXPECT_TRUE(search.finished());
 }
 
-TEST(Searching, FindsTheLeastCostWithinAnError) {
+TEST(Searching, FindsTheSmallestCostWithinAnError) {
   Counted counted;
   Search search = searched({Goal::Kind::least_cost, 0.1}, 150, counted);
   const Search::Found& best = search.best().value();
@@ -114,21 +114,21 @@ TEST(Searching, FindsTheLeastCostWithinAnError) {
   EXPECT_LE(best.score.cost, 1.15 * 1.5 * 13) << "11 samples of the better kind at the right width need a cost of 19.5";
 }
 
-TEST(Searching, HalvesAndKeepsToItsEvaluations) {
+TEST(Searching, StaysWithinItsEvaluations) {
   Counted counted;
   Search search = searched({Goal::Kind::least_error, 99}, 60, counted);
   EXPECT_LE(search.evaluations(), 60);
   EXPECT_EQ(counted.by_level[0] + counted.by_level[1] + counted.by_level[2], search.evaluations());
-  EXPECT_EQ(counted.by_level[0], 13) << "1 + 1/3 + 1/9 for each: a third of all";
+  EXPECT_EQ(counted.by_level[0], 13) << "1 + 1/3 + 1/9 evaluations per candidate, within a third of the budget";
   EXPECT_GE(counted.by_level[1], 5);
-  EXPECT_LE(counted.by_level[1], 6) << "a third, and what everything is compared with";
+  EXPECT_LE(counted.by_level[1], 6) << "a third, and the base of comparisons";
   Counted again;
   Search same = searched({Goal::Kind::least_error, 99}, 60, again);
   EXPECT_EQ(same.best()->spot, search.best()->spot);
   EXPECT_EQ(again.measured, counted.measured);
 }
 
-TEST(Searching, OfNothingThatCanBeMeasuredFindsNothing) {
+TEST(Searching, FindsNothingWithoutMeasurements) {
   auto none = [](const std::vector<Spot>& spots, int) { return std::vector<Score>(spots.size()); };
   Search search(kSpace, {}, {20, 3, 3}, identityOf, none);
   search.run({startOf(kSpace)});
@@ -139,7 +139,7 @@ TEST(Searching, OfNothingThatCanBeMeasuredFindsNothing) {
   EXPECT_EQ(refused.evaluations(), 0);
 }
 
-TEST(Searching, TakesValuesOfTheRange) {
+TEST(Searching, UsesValuesOfTheRange) {
   std::vector<plan::Value> next = neighboursOf(kSpace[0].param, int64_t(1), 1);
   EXPECT_EQ(next, (std::vector<plan::Value>{int64_t(2)}));
   EXPECT_EQ(neighboursOf(kSpace[0].param, int64_t(2), 0.5), (std::vector<plan::Value>{int64_t(1), int64_t(3)}));
@@ -159,7 +159,7 @@ TEST(Searching, TakesValuesOfTheRange) {
     EXPECT_LE(of(spot[0]), 128);
   }
   EXPECT_EQ(kinds.size(), 3u);
-  EXPECT_NEAR(changed, 32, 2) << "half of them";
+  EXPECT_NEAR(changed, 32, 2) << "half of the starts";
 }
 
 }  // namespace search_test

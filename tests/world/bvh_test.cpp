@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runtime's own tree: what its nodes promise, on lists of boxes that make trees hard.
+// The runtime's BVH: properties of its nodes, on lists of boxes that are difficult for trees.
 #include "world/bvh.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ Boxes randomBoxes(size_t count, float size, unsigned seed = 1) {
   return boxes;
 }
 
-// Triangles of a terrain, as meshes have them: thin, flat, each beside the next.
+// Triangles of a terrain, as in meshes: thin, flat, adjacent.
 Boxes terrain(int side) {
   Boxes boxes;
   for (int y = 0; y < side; ++y)
@@ -88,7 +88,7 @@ Tree treeOf(const Boxes& boxes, const BvhOptions& options = {}) {
   return tree;
 }
 
-// A plane of a child as the shader has it.
+// A child's plane, computed as in the shader.
 double planeOf(const shared::BvhNode& node, const uvec3& planes, int axis, int child) {
   double step = std::ldexp(1.0, int(node.steps >> (8 * axis) & 255) - 127);
   return double(node.origin[axis]) + step * (planes[axis] >> (8 * child) & 255);
@@ -102,7 +102,7 @@ struct Walk {
   std::set<uint32_t> nodes;
   int deepest = 0;
 
-  // Every box below lies between the planes of all nodes above it.
+  // Tests that every box lies between the planes of all nodes above it.
   Box down(uint32_t index, int depth) {
     Box whole;
     deepest = std::max(deepest, depth);
@@ -133,7 +133,7 @@ struct Walk {
   }
 };
 
-TEST(Bvh, HasEveryBoxOnceBetweenItsPlanes) {
+TEST(Bvh, HasEveryBoxOnceWithinItsPlanes) {
   for (const BvhOptions& options : {BvhOptions{4, BVH_MESH_DEPTH}, BvhOptions{1, BVH_TOP_DEPTH}})
     for (const auto& [name, boxes] : hardLists()) {
       SCOPED_TRACE(name);
@@ -148,7 +148,7 @@ TEST(Bvh, HasEveryBoxOnceBetweenItsPlanes) {
     }
 }
 
-TEST(Bvh, JoinedHasEveryBoxOfBothOnce) {
+TEST(Bvh, JoinedTreeHasEveryBoxOfBothOnce) {
   const BvhOptions options{1, BVH_TOP_DEPTH - 1};
   for (const auto& [name, boxes] : hardLists())
     for (size_t in_first : {size_t(0), size_t(1), boxes.size() / 3, boxes.size()}) {
@@ -167,7 +167,7 @@ TEST(Bvh, JoinedHasEveryBoxOfBothOnce) {
   EXPECT_EQ(joined(buildBvh(Boxes()), buildBvh(Boxes(3))).nodes.size(), 1u);
 }
 
-TEST(Bvh, OfNothingHasANodeWithoutChildren) {
+TEST(Bvh, EmptyTreeHasANodeWithoutChildren) {
   for (const Boxes& boxes : {Boxes(), Boxes(3)}) {
     Tree bvh = treeOf(boxes);
     ASSERT_EQ(bvh.nodes.size(), 1u);
@@ -176,7 +176,7 @@ TEST(Bvh, OfNothingHasANodeWithoutChildren) {
   }
 }
 
-TEST(Bvh, LeavesOutBoxesThatAreInsideOut) {
+TEST(Bvh, OmitsInvertedBoxes) {
   Boxes boxes = randomBoxes(9, 0.1f);
   boxes[4] = Box();
   Tree bvh = treeOf(boxes);
@@ -184,7 +184,7 @@ TEST(Bvh, LeavesOutBoxesThatAreInsideOut) {
   EXPECT_EQ(std::count(bvh.order.begin(), bvh.order.end(), 4u), 0);
 }
 
-TEST(Bvh, IsTheSameEachTime) {
+TEST(Bvh, IsDeterministic) {
   Boxes boxes = randomBoxes(240000, 0.01f);
   Tree first = treeOf(boxes);
   for (int run = 0; run < 3; ++run) {
@@ -194,14 +194,14 @@ TEST(Bvh, IsTheSameEachTime) {
   }
 }
 
-// ---- Trees that are fitted to what has moved
+// ---- Refitted trees
 
 bool alike(const Tree& a, const Tree& b) {
   return a.order == b.order && a.nodes.size() == b.nodes.size() &&
          std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof a.nodes[0]) == 0;
 }
 
-TEST(Bvh, IsTheSameWhenFittedToWhatItWasBuiltOver) {
+TEST(Bvh, RefitToTheSameBoxesChangesNothing) {
   for (const auto& [name, boxes] : hardLists()) {
     Tree built = treeOf(boxes), fitted = built;
     fitted.refit(boxes);
@@ -213,7 +213,7 @@ TEST(Bvh, IsTheSameWhenFittedToWhatItWasBuiltOver) {
   EXPECT_EQ(nothing.nodes.size(), 1u);
 }
 
-// As a bending skin moves them: each by its own way, neighbours alike.
+// Moves boxes like a deforming skin: each along its own direction, similar for neighbours.
 Boxes bent(const Boxes& boxes, float by) {
   Boxes moved;
   for (const Box& box : boxes) {
@@ -226,7 +226,7 @@ Boxes bent(const Boxes& boxes, float by) {
 
 struct Line {
   dvec3 origin, direction;
-  // Where it enters what lies between two planes per axis; infinity where it does not.
+  // Distance along the line to its entry between two planes per axis; infinity if the line misses.
   double enters(const dvec3& low, const dvec3& high) const {
     double enter = 0, leave = HUGE_VAL;
     for (int axis = 0; axis < 3; ++axis) {
@@ -239,7 +239,7 @@ struct Line {
   double enters(const Box& box) const { return enters(dvec3(box.low), dvec3(box.high)); }
 };
 
-// Where a line first enters a box, by way of the tree.
+// Distance along a line to its first entry into a box, found by traversing the tree.
 double nearest(const Tree& bvh, const Boxes& boxes, const Line& line, uint32_t index = 0) {
   const shared::BvhNode& node = bvh.nodes.at(index);
   double found = HUGE_VAL;
@@ -259,7 +259,7 @@ double nearest(const Tree& bvh, const Boxes& boxes, const Line& line, uint32_t i
   return found;
 }
 
-TEST(Bvh, FittedMeetsWhatARebuiltOneMeets) {
+TEST(Bvh, RefittedTreeFindsTheHitsOfARebuiltTree) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   auto any = [&] {
@@ -291,7 +291,7 @@ TEST(Bvh, FittedMeetsWhatARebuiltOneMeets) {
   }
 }
 
-TEST(Bvh, FittedIsTheSameEachTimeAndKeepsItsTopology) {
+TEST(Bvh, RefitIsDeterministicAndKeepsTheTopology) {
   Boxes boxes = randomBoxes(5000, 0.01f), moved = bent(boxes, 0.5f);
   Tree built = treeOf(boxes), once = built, by_a_way_round = built;
   once.refit(moved);
