@@ -29,7 +29,7 @@ struct Status {
   size_t running() const;
   size_t drawn() const;            // points, without truths
   double pointsPerSecond() const;  // of all running programs
-  double left_s() const;           // until every point is drawn; 0: unknown
+  double secondsLeft() const;      // until every point is drawn; 0: unknown
 };
 
 Status statusOf(const Path& folder) {
@@ -53,7 +53,7 @@ double Status::pointsPerSecond() const {
   return rate;
 }
 
-double Status::left_s() const {
+double Status::secondsLeft() const {
   const double rate = pointsPerSecond();
   return rate > 0 ? double(results.missing()) / rate : 0;
 }
@@ -87,7 +87,7 @@ std::string textOf(const Status& status) {
   std::string text =
       fmt::format("{}: {} of {} drawn, {} missing, {} failed", results.title, results.points() - results.missing(),
                   countText(results.points(), "point"), results.missing(), results.failed().size());
-  if (status.left_s() > 0) text += fmt::format("; about {:.0f} s left", status.left_s());
+  if (status.secondsLeft() > 0) text += fmt::format("; about {:.0f} s left", status.secondsLeft());
   text += "\n";
   for (const study::WorkerState& worker : status.workers) text += textOf(worker) + "\n";
   forFailed(results, [&](const study::PointGroup& group, const study::Point& point) {
@@ -116,7 +116,7 @@ Json jsonOf(const Status& status) {
                {"points", results.points()},
                {"drawn", status.drawn()},
                {"missing", results.missing()},
-               {"left_s", study::numberJson(status.left_s())},
+               {"left_s", study::numberJson(status.secondsLeft())},
                {"programs", Json::array()},
                {"failed", Json::array()}};
   for (const study::WorkerState& worker : status.workers) json["programs"].push_back(jsonOf(worker));

@@ -13,14 +13,14 @@ namespace strobe::gpu {
 // in the table (https://renderdoc.org/docs/in_application_api.html).
 struct RenderDocApi {
   void* unused_0_to_10[11];
-  void (*SetCaptureFilePathTemplate)(const char* beginning);
+  void (*set_file_template)(const char* beginning);
   void* unused_12;
-  uint32_t (*GetNumCaptures)();
-  uint32_t (*GetCapture)(uint32_t index, char* file, uint32_t* length, uint64_t* time);
+  uint32_t (*capture_count)();
+  uint32_t (*capture_at)(uint32_t index, char* file, uint32_t* length, uint64_t* time);
   void* unused_15_to_18[4];
-  void (*StartFrameCapture)(void* device, void* window);
+  void (*start_capture)(void* device, void* window);
   void* unused_20;
-  uint32_t (*EndFrameCapture)(void* device, void* window);
+  uint32_t (*end_capture)(void* device, void* window);
 };
 
 namespace {
@@ -31,10 +31,10 @@ const char* const kLibrary = "librenderdoc.so";
 // File of the newest capture; "": no capture.
 std::string newestFile(const RenderDocApi& api) {
   uint32_t length = 0;
-  const uint32_t count = api.GetNumCaptures();
-  if (count == 0 || !api.GetCapture(count - 1, nullptr, &length, nullptr)) return "";
+  const uint32_t count = api.capture_count();
+  if (count == 0 || !api.capture_at(count - 1, nullptr, &length, nullptr)) return "";
   std::string file(length, '\0');  // `length` includes the null at the end
-  api.GetCapture(count - 1, file.data(), &length, nullptr);
+  api.capture_at(count - 1, file.data(), &length, nullptr);
   return file.c_str();
 }
 
@@ -62,10 +62,10 @@ RenderDoc::RenderDoc() {
 
 void RenderDoc::capture(const Path& file, const std::function<void()>& work) const {
   TemporaryFile written(file);
-  api_->SetCaptureFilePathTemplate(written.path().c_str());
-  api_->StartFrameCapture(nullptr, nullptr);
+  api_->set_file_template(written.path().c_str());
+  api_->start_capture(nullptr, nullptr);
   work();
-  const bool is_captured = api_->EndFrameCapture(nullptr, nullptr) != 0;
+  const bool is_captured = api_->end_capture(nullptr, nullptr) != 0;
   const std::string captured = is_captured ? newestFile(*api_) : "";
   if (captured.empty())
     throw Error(

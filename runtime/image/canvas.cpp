@@ -169,7 +169,8 @@ void Canvas::picture(const Image& display, int x, int y, bool round) {
   cairo_save(cairo_.get());
   cairo_set_source_surface(cairo_.get(), surface.get(), x, y);
   cairo_pattern_set_filter(cairo_get_source(cairo_.get()), CAIRO_FILTER_NEAREST);
-  if (round) circle(dvec2(x, y) + dvec2(display.width, display.height) / 2.0, (display.width - 1) / 2);
+  const int radius = (display.width - 1) / 2;
+  if (round) circle(dvec2(x, y) + dvec2(display.width, display.height) / 2.0, radius);
   else cairo_rectangle(cairo_.get(), x, y, display.width, display.height);
   cairo_fill(cairo_.get());
   cairo_restore(cairo_.get());

@@ -11,8 +11,8 @@
 #include "image/draw.h"
 #include "math/geometry.h"
 
-typedef struct _cairo cairo_t;
-typedef struct _cairo_surface cairo_surface_t;
+typedef struct _cairo cairo_t;                  // NOLINT(bugprone-reserved-identifier): of cairo
+typedef struct _cairo_surface cairo_surface_t;  // NOLINT(bugprone-reserved-identifier)
 
 namespace strobe::image {
 

@@ -93,7 +93,7 @@ class Ids {
   explicit Ids(const CryptomatteLayer& layer) : layer_(layer) {}
   uint32_t of(const IdShare& share) {
     auto [known, is_new] = ids_.emplace(uint64_t{share.instance} << 32 | share.geometry, 0);
-    if (is_new) known->second = cryptomatteId(layer_.nameOf(share));
+    if (is_new) known->second = cryptomatteId(layer_.name_of(share));
     return known->second;
   }
 

@@ -50,9 +50,9 @@ uint32_t cryptomatteId(std::string_view name);
 
 // Mattes of one kind.
 struct CryptomatteLayer {
-  std::string name;                            // "CryptoObject"
-  std::vector<std::string> names;              // in the manifest; equal names share one matte
-  std::function<std::string(IdShare)> nameOf;  // name of a hit; not called for instance 0
+  std::string name;                             // "CryptoObject"
+  std::vector<std::string> names;               // in the manifest; equal names share one matte
+  std::function<std::string(IdShare)> name_of;  // name of a hit; not called for instance 0
 };
 
 // Adds the layers NAME00, NAME01, NAME02 of 32-bit floats. Each layer has two ids of a pixel (R, B) and their coverage

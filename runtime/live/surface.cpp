@@ -125,6 +125,7 @@ void Surface::recordCommand(VkCommandBuffer commands, const ImDrawData& frame, c
   VkRect2D scissor{{int32_t(x0), int32_t(y0)}, {uint32_t(x1 - x0), uint32_t(y1 - y0)}};
   const gpu::Dispatch& vk = device_.vk();
   vk.CmdSetScissor(commands, 0, 1, &scissor);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes ids of textures
   const VkDescriptorSet set = ((const PanelTexture*)(intptr_t)command.GetTexID())->set_.handle();
   vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1, &set, 0, nullptr);
   vk.CmdDrawIndexed(commands, command.ElemCount, 1, first_index + command.IdxOffset,

@@ -25,6 +25,7 @@ class PanelTexture {
   int width() const { return int(image_.desc().width); }
   int height() const { return int(image_.desc().height); }
   // Texture id for ImGui::Image and similar calls; valid while this texture exists at its address.
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
   ImTextureID id() const { return (ImTextureID)(intptr_t)this; }
 
  private:

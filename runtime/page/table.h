@@ -18,7 +18,7 @@ struct TableCell {
   TableCell(std::string shown, Emphasis how = Emphasis::none, std::string hint = "")
       : text(std::move(shown)), mark(how), tip(std::move(hint)) {}
   TableCell(const char* shown, Emphasis how = Emphasis::none, std::string hint = "")
-      : TableCell(std::string(shown), how, hint) {}
+      : TableCell(std::string(shown), how, std::move(hint)) {}
   // Number and its text (number.h).
   TableCell(double number, std::string shown, Emphasis how = Emphasis::none)
       : text(std::move(shown)), mark(how), value(number) {}

@@ -11,8 +11,8 @@ namespace strobe::scene {
 static int shifted(int index, int before) { return index < 0 ? index : index + before; }
 
 AttachedPart addedPart(Scene part, Scene& scene) {
-  const AttachedPart added{std::move(part), int(scene.meshes.size()), int(scene.materials.size()),
-                           int(scene.textures.size())};
+  AttachedPart added{std::move(part), int(scene.meshes.size()), int(scene.materials.size()),
+                     int(scene.textures.size())};
   for (const Mesh& mesh : added.scene.meshes) {
     scene.meshes.push_back(mesh);
     for (Geometry& geometry : scene.meshes.back().geometries) geometry.material += added.first_material;

@@ -87,7 +87,7 @@ template <class Decoder>
 void decodeMesh(const DracoStream& stream, draco::DecoderBuffer& buffer, draco::Mesh& mesh) {
   CheckedDecoder<Decoder> decoder(stream);
   const draco::Status status = decoder.Decode(draco::DecoderOptions(), &buffer, &mesh);
-  const std::string reason = status.error_msg_string();
+  const std::string& reason = status.error_msg_string();
   if (!status.ok()) fail("it is damaged" + (reason.empty() ? "" : ": " + reason));
 }
 

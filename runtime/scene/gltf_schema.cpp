@@ -250,8 +250,6 @@ class FormChecker {
         check(json[member.name], member.of, place);
         break;
       case Form::IndexMap:
-        checkMap(file_.object(json, member.name, where), member, place);
-        break;
       case Form::WholeMap:
         checkMap(file_.object(json, member.name, where), member, place);
         break;

@@ -89,6 +89,7 @@ vec3 quilt(const Pattern& p, dvec2 uv) {
 }
 
 // A field of diamonds within two borders of zigzag, with a little wool.
+// NOLINTBEGIN(bugprone-branch-clone): bands in their order
 vec3 rug(const Pattern& p, dvec2 uv) {
   dvec2 inset = glm::min(uv, 1.0 - uv);
   double edge = std::min(inset.x * 1.5, inset.y);
@@ -109,6 +110,7 @@ vec3 rug(const Pattern& p, dvec2 uv) {
   }
   return color * float(wool);
 }
+// NOLINTEND(bugprone-branch-clone)
 
 vec3 wood(const Pattern& p, dvec2 uv) {
   int planks = std::max(1, int(p.count.x));

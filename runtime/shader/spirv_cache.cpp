@@ -22,7 +22,7 @@ bool take(std::string_view& bytes, std::vector<uint32_t>& words) {
   const size_t size = size_t(count) * sizeof(uint32_t);
   if (bytes.size() < size) return false;
   words.resize(count);
-  std::memcpy(words.data(), bytes.data(), size);
+  if (size > 0) std::memcpy(words.data(), bytes.data(), size);
   bytes.remove_prefix(size);
   return true;
 }

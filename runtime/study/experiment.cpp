@@ -351,7 +351,7 @@ std::vector<size_t> sharesOf(const Experiment& experiment, size_t of) {
   return result;
 }
 
-size_t countTruths(std::set<std::string> commands) { return commands.size() - commands.count(""); }
+size_t countTruths(const std::set<std::string>& commands) { return commands.size() - commands.count(""); }
 
 script::Settings joined(script::Settings base, const script::Settings& more) {
   base.insert(base.end(), more.begin(), more.end());

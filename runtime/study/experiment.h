@@ -179,7 +179,7 @@ std::vector<std::string> namesOf(const std::vector<Named>& all) {
 
 // Number of truths with different contents, by the commands that draw them. "": cannot be drawn. A key of a point of
 // truth also has the measures.
-size_t countTruths(std::set<std::string> commands);
+size_t countTruths(const std::set<std::string>& commands);
 
 // Share of each group, from 1 to `of`: groups with the same truth are in one share, and shares have about equal numbers
 // of points. Depends on the experiment only, not on the device.

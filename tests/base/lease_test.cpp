@@ -66,7 +66,7 @@ TEST_F(Leases, HaveOneHolderAtATime) {
 TEST_F(Leases, ExcludeProcesses) {
   const Path number = folder_.path() / "number";
   write(number, "0");
-  killed(started([this] { Lease::claim(file_).release(); }));
+  killed(started([this] { (void)Lease::claim(file_).release(); }));
   std::vector<pid_t> children;
   for (int i = 0; i < 16; ++i) {
     children.push_back(::fork());
@@ -83,7 +83,7 @@ TEST_F(Leases, ExcludeProcesses) {
 }
 
 TEST_F(Leases, AreTakenOverFromEndedProcesses) {
-  pid_t holder = started([this] { Lease::claim(file_).release(); });
+  pid_t holder = started([this] { (void)Lease::claim(file_).release(); });
   EXPECT_FALSE(Lease::claim(file_)) << "it runs";
   ::kill(holder, SIGKILL);
   siginfo_t info{};

@@ -32,7 +32,7 @@ TEST_F(WatchTest, DetectsFileChangesOnly) {
   EXPECT_TRUE(watch_.changed()) << "renamed";
   fs::remove(folder_ / "inner/b.lua");
   EXPECT_TRUE(watch_.changed()) << "removed";
-  std::ifstream(folder_ / "inner/b.lua");
+  std::ifstream read(folder_ / "inner/b.lua");
   EXPECT_FALSE(watch_.changed()) << "reading is not a change";
 }
 

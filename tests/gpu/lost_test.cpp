@@ -48,7 +48,7 @@ VkResult timesOut(VkDevice, uint32_t, const VkFence*, VkBool32, uint64_t limit_n
 // Applies to every program, with or without a handler; a handler receives the same text.
 TEST(TimeLimit, EndsTheProgramAndNamesTheWork) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  auto work = [](double limit_s, Device::OnOverrun on_overrun) {
+  auto work = [](double limit_s, const Device::OnOverrun& on_overrun) {
     Device device;
     callsOf(device).WaitForFences = timesOut;
     if (limit_s != kTimeLimit_s || on_overrun) device.setTimeLimit(limit_s, on_overrun);

@@ -71,7 +71,8 @@ TEST_F(BlockTest, ManyBuffersShareFewAllocations) {
   EXPECT_LE(allocations, allocated + 1) << "returned ranges are used again";
   for (const auto& [number, one] : held) {
     const auto* bytes = static_cast<const uint8_t*>(one.mapped());
-    EXPECT_TRUE(std::all_of(bytes, bytes + one.size(), [&](uint8_t byte) { return byte == number % 251; })) << number;
+    EXPECT_TRUE(std::all_of(bytes, bytes + one.size(), [n = number](uint8_t byte) { return byte == n % 251; }))
+        << number;
     EXPECT_EQ(one.address() % 4, 0u);
   }
 }

@@ -93,7 +93,7 @@ TEST(Commands, AreAwaitedOnDestruction) {
     });
     Commands moved = std::move(commands);
     EXPECT_TRUE(moved.isPending());
-    EXPECT_FALSE(commands.isPending());
+    EXPECT_FALSE(commands.isPending());  // NOLINT(bugprone-use-after-move): empty by contract
   }
   EXPECT_EQ(static_cast<const uint32_t*>(to.mapped())[(1 << 18) - 1], 7u);
   EXPECT_EQ(device.takeMessages(), std::vector<std::string>());

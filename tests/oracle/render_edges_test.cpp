@@ -18,7 +18,7 @@ namespace render_edges_test {
 const std::vector<std::string> kDetectors = {"canny",   "id",     "laplacian",  "plane", "prewitt",
                                              "roberts", "scharr", "silhouette", "sobel"};
 
-lab::Shot detected(lab::Shot shot, const std::string& edge, std::vector<std::string> settings = {}) {
+lab::Shot detected(const lab::Shot& shot, const std::string& edge, std::vector<std::string> settings = {}) {
   settings.push_back("edge=" + edge);
   return with(shot, sourceFolder().string() + "/tests/oracle/pipelines/edges_alone.lua", settings);
 }

@@ -18,7 +18,8 @@ constexpr int kAcross = 100, kMeshes = 5000, kTextures = 1000;
 constexpr int kWidth = 2 * kAcross, kHeight = 2 * kMeshes / kAcross;
 
 std::vector<float> colorOfTexture(int texture) {
-  return {float(10 + 2 * (texture % 100)) / 255, float(10 + 20 * (texture / 100)) / 255, 0.4f};
+  const int column = texture % 100, row = texture / 100;
+  return {float(10 + 2 * column) / 255, float(10 + 20 * row) / 255, 0.4f};
 }
 
 class RenderMany : public RenderTest {

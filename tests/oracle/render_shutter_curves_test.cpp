@@ -123,7 +123,7 @@ Strips whiteStrips(double d) { return {{40, 90, d, {1}}, {}}; }
 class RenderShutterCurves : public RenderTest {
  protected:
   static image::Image drawn(const lab::Shot& shot, const std::string& pipeline, const std::string& anchor,
-                            std::vector<std::string> settings) {
+                            const std::vector<std::string>& settings) {
     return colorOf(render(with(shot, pipeline, settings, anchor)));
   }
 };

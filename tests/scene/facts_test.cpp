@@ -42,7 +42,8 @@ bool moves(const Scene& scene, double frame = 1) { return factsOf(scene, viewAt(
 
 using Interpolation = Track::Interpolation;
 
-Scene animated(std::vector<double> frames, std::vector<double> x, Interpolation how = Interpolation::Linear) {
+Scene animated(const std::vector<double>& frames, const std::vector<double>& x,
+               Interpolation how = Interpolation::Linear) {
   Scene scene = still();
   Track track{0, Track::Target::Translation, how, {}, {}};
   for (double frame : frames) track.times.push_back(frame * kFrame);

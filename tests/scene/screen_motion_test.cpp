@@ -97,7 +97,7 @@ TEST(ScreenMotion, SlidingCardIsStraight) {
   EXPECT_EQ(textOf(boxes.path()), "");
   boxes.move(card, {2, 1, 0});
   EXPECT_EQ(textOf(boxes.path()), "");
-  EXPECT_EQ(boxes.motion().moving_rect.x1, int(std::ceil(kWidth / 2 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
+  EXPECT_EQ(boxes.motion().moving_rect.x1, int(std::ceil(kWidth / 2.0 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
 }
 
 // The rectangle includes lines and curves fitted to uneven motion, and extrapolated positions.
@@ -112,7 +112,7 @@ TEST(ScreenMotion, UnevenMotionExtendsTheRectangle) {
     return screenMotionOf(boxes.scene(), pose_at, frameAtOne()).moving_rect.x0;
   };
   const double even_px = left_edge([](double frames) { return frames; });
-  EXPECT_NEAR(even_px, kWidth / 2 - 2 * kMetre - 2, 2);
+  EXPECT_NEAR(even_px, kWidth / 2.0 - 2 * kMetre - 2, 2);
   // In the middle of the exposure the card is a quarter frame ahead; the leftmost position is unchanged.
   const double ahead_px = 0.25 * 2 * kMetre;
   EXPECT_NEAR(left_edge([](double frames) { return frames + 4 * std::max(frames - 0.5, 0.0) * (1 - frames); }),
@@ -131,8 +131,8 @@ TEST(ScreenMotion, AreaAtAPoseIsWithinTheRectangle) {
   Poser poser(boxes.scene(), 0);
   ASSERT_TRUE(motion.area_at);
   const PixelArea now = motion.area_at(poser.at(kFrame)), before = motion.area_at(poser.at(0.75 * kFrame));
-  EXPECT_EQ(now.x1, int(std::ceil(kWidth / 2 + kMetre + 2)));
-  EXPECT_EQ(before.x1, int(std::ceil(kWidth / 2 + 0.5 * kMetre + 2)));
+  EXPECT_EQ(now.x1, int(std::ceil(kWidth / 2.0 + kMetre + 2)));
+  EXPECT_EQ(before.x1, int(std::ceil(kWidth / 2.0 + 0.5 * kMetre + 2)));
   EXPECT_EQ(now.y0, before.y0);
   for (const PixelArea& area : {now, before}) {
     EXPECT_GE(area.x0, motion.moving_rect.x0);
