@@ -226,7 +226,7 @@ static void describe(const Home& home, Picture& picture, const Drawing& drawing,
   picture.ndc_from_world = mat4(ndcFromCamera(pose.camera, aspect) * camera_from_world);
   picture.id_names = idNamesOf(drawing.scene().scene);
   picture.warnings = drawing.scene().scene.warnings;
-  picture.record = makeRecord({home, shot, drawing, device}, picture.frame);
+  picture.record = makeRecord(home, shot, drawing, device, picture.frame);
   picture.record["limits"] = Json::array();
   for (const LimitMet& met : drawing.limitsMet(shot, picture.frame)) {
     picture.warnings.push_back(met.text());
