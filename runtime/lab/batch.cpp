@@ -81,7 +81,7 @@ const Batch::KnownPlan& Batch::known(const Shot& shot, HeldScene& scene, const O
                                 fmt::join(absentFacts(frame, *pipeline), ","), fmt::join(outputs, ","));
   auto found = plans_.find(key);
   if (found != plans_.end()) return found->second;
-  KnownPlan known{plannedOf(bench_, shot, scene, *pipeline, outputs), ""};
+  KnownPlan known{plannedOf(bench_, shot, &scene, *pipeline, outputs), ""};
   known.identity = identityOf(*known.planned.plan);
   if (plans_.size() >= kMost) plans_.clear();
   return plans_[key] = std::move(known);
