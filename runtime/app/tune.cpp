@@ -13,6 +13,7 @@
 #include "base/frozen_home.h"
 #include "base/interruption.h"
 #include "base/lease.h"
+#include "base/lists.h"
 #include "base/log.h"
 #include "base/numbers.h"
 #include "base/process_name.h"
@@ -38,7 +39,7 @@ struct TuneOptions {
 // ---- command line
 
 void requireKnown(const std::string& option, const std::string& name, const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  if (contains(known, name)) return;
   throw Error(fmt::format("{}: unknown value '{}'{}; there are {}", option, name, didYouMean(name, known),
                           fmt::join(known, ", ")),
               {}, 2);
@@ -69,11 +70,8 @@ void setLimit(study::TuneRequest& request, const TuneOptions& options) {
   if (options.budget_ratio > 0) request.limits = Limit::ratio, request.limit = options.budget_ratio;
   if (options.max_error.empty()) return;
   bool is_ratio = options.max_error.ends_with("x");
-  plan::Value number = plan::valueFromText(options.max_error.substr(0, options.max_error.size() - is_ratio));
-  const auto* whole = std::get_if<int64_t>(&number);
-  const auto* real = std::get_if<double>(&number);
   request.limits = is_ratio ? Limit::error_ratio : Limit::error;
-  request.limit = whole ? double(*whole) : real ? *real : 0;
+  request.limit = finiteNumber(options.max_error.substr(0, options.max_error.size() - is_ratio)).value_or(0);
   if (!(request.limit > 0))
     throw Error(
         fmt::format("--max-error '{}' is neither a number above 0 nor a multiple of the base's error such as 1.1x",

@@ -6,7 +6,9 @@
 #include <filesystem>
 
 #include "base/home.h"
+#include "base/lists.h"
 #include "lab/shot_options.h"
+#include "plan/named.h"
 
 namespace strobe::archive {
 
@@ -79,18 +81,13 @@ void refuseSameFiles(const std::vector<Named>& list, const char* what, const std
 
 template <class Named>
 const Named& named(const std::vector<Named>& list, const std::string& name, const char* what) {
-  auto found = std::find_if(list.begin(), list.end(), [&](const Named& one) { return one.name == name; });
-  if (found != list.end()) return *found;
-  std::vector<std::string> names;
-  for (const Named& one : list) names.push_back(one.name);
-  throw Error(fmt::format("the capture has no {} '{}'{}", what, name, didYouMean(name, names)));
+  if (const Named* found = plan::find(list, name)) return *found;
+  throw Error(fmt::format("the capture has no {} '{}'{}", what, name, didYouMean(name, plan::namesOf(list))));
 }
 
 }  // namespace
 
-bool CapturedArm::draws(const std::string& shot) const {
-  return shots.empty() || std::find(shots.begin(), shots.end(), shot) != shots.end();
-}
+bool CapturedArm::draws(const std::string& shot) const { return shots.empty() || contains(shots, shot); }
 
 const CapturedShot& CaptureFile::shot(const std::string& name) const { return named(shots, name, "shot"); }
 const CapturedArm& CaptureFile::arm(const std::string& name) const { return named(arms, name, "arm"); }

@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "base/interruption.h"
 #include "base/leftovers.h"
+#include "base/lists.h"
 #include "base/process_name.h"
 #include "figure/film.h"
 
@@ -78,8 +79,7 @@ std::vector<const CapturedShot*> Capturing::shotsOf(const Json& figure) const {
   std::vector<const CapturedShot*> shots;
   for (const Json& cell : figure.at("cells")) {
     std::string name = cell.value("shot", capture_.shots.front().name);
-    const CapturedShot* shot = &capture_.shot(name);
-    if (std::find(shots.begin(), shots.end(), shot) == shots.end()) shots.push_back(shot);
+    addOnce(shots, &capture_.shot(name));
   }
   return shots;
 }

@@ -68,7 +68,7 @@ Json comparedNumbers(const std::string& name, const Pixels& was, const Pixels& i
 
 // Compares two images of one format and size.
 Json compared(const std::string& name, const graph::ReadImage& was, const graph::ReadImage& is) {
-  if (!was.uints.values.empty())
+  if (was.isUint())
     return comparedNumbers(name, was.uints, is.uints,
                            [](uint32_t a, uint32_t b) { return std::abs(double(a) - double(b)); });
   Json json = comparedNumbers(name, was.floats, is.floats, [](float a, float b) {
@@ -80,22 +80,18 @@ Json compared(const std::string& name, const graph::ReadImage& was, const graph:
 }
 
 bool sameSize(const graph::ReadImage& a, const graph::ReadImage& b) {
-  auto same = [](const auto& m, const auto& n) {
-    return m.width == n.width && m.height == n.height && m.channels == n.channels;
-  };
-  return same(a.floats, b.floats) && same(a.uints, b.uints);
+  return a.isUint() == b.isUint() && a.width() == b.width() && a.height() == b.height() && a.channels() == b.channels();
 }
 
 // |a - b| of each pixel, scaled so that the largest difference is white. `largest`: from `compared`.
 image::Image mapOf(const graph::ReadImage& was, const graph::ReadImage& is, const Json& largest) {
   const double white = largest.is_number() ? largest.get<double>() : HUGE_VAL;
-  bool uints = !was.uints.values.empty();
-  image::Image map(uints ? was.uints.width : was.floats.width, uints ? was.uints.height : was.floats.height, 1);
+  image::Image map(was.width(), was.height(), 1);
   auto add = [&](int x, int y, int, auto a, auto b) {
     double share = std::abs(double(a) - double(b)) / white;
     map.at(x, y, 0) = std::max(map.at(x, y, 0), std::isfinite(share) ? float(share) : 1.0f);
   };
-  if (uints) forDifferences(was.uints, is.uints, add);
+  if (was.isUint()) forDifferences(was.uints, is.uints, add);
   else forDifferences(was.floats, is.floats, add);
   return map;
 }

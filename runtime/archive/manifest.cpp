@@ -101,7 +101,7 @@ std::string sumsOf(const Path& folder, const std::set<std::string>& names) {
 Json layersJson(const Images& images) {
   Json json = Json::object();
   for (const auto& [name, image] : images) {
-    Json size = {std::max(image.floats.width, image.uints.width), std::max(image.floats.height, image.uints.height)};
+    Json size = {image.width(), image.height()};
     json[name] = {{"format", image.format}, {"size", std::move(size)}, {"hash", lab::hashOf(image)}};
   }
   return json;

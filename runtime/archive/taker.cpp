@@ -158,8 +158,9 @@ const Capturing::Place& Capturing::placeOf(const Path& files) {
 static std::unique_ptr<lab::Drawing> drawingOf(lab::Workbench& bench, lab::Shot& shot) {
   std::shared_ptr<const lab::Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
   std::shared_ptr<lab::HeldScene> scene = bench.scene(shot, true);
-  shot.taps = plan::filledImages(*lab::plannedOf(bench, shot, evaluation->pipeline).plan);
-  return std::make_unique<lab::Drawing>(bench, scene, lab::plannedOf(bench, shot, evaluation->pipeline), evaluation);
+  shot.taps = plan::filledImages(*lab::plannedOf(bench, shot, nullptr, evaluation->pipeline).plan);
+  lab::Planned planned = lab::plannedOf(bench, shot, nullptr, evaluation->pipeline);
+  return std::make_unique<lab::Drawing>(bench, scene, std::move(planned), evaluation);
 }
 
 // Hash of everything that determines the files: shot, inputs, program, device, and the kept layers.

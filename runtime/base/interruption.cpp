@@ -72,10 +72,8 @@ Interruption::~Interruption() {
   exists = false;
 }
 
-bool isStopRequested() { return signal_s != 0 || isTimeUp(); }
-
 void stopIfRequested() {
-  if (isStopRequested()) stop();
+  if (signal_s != 0 || isTimeUp()) stop();
 }
 
 void stopIfOverdue() {

@@ -27,8 +27,6 @@ class Interruption {
   ~Interruption();
 };
 
-// True if a stop was requested.
-bool isStopRequested();
 // Throws `Stopped` if a stop was requested. For the end of a piece of work.
 void stopIfRequested();
 // Throws `Stopped` if a stop was requested more than two seconds ago, or the time is up. For the middle of a piece of

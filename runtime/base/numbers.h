@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,12 @@ std::optional<std::array<Number, count>> numbersIn(std::string_view text, char b
     at = after;
   }
   return numbers;
+}
+
+// The finite number of a text; nothing if the text has any other form.
+inline std::optional<double> finiteNumber(std::string_view text) {
+  auto number = numbersIn<double, 1>(text, ',');
+  return number && std::isfinite(number->front()) ? std::optional(number->front()) : std::nullopt;
 }
 
 // "1 truth", "2 truths": for nouns with a plural in "s".

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -14,7 +13,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -47,22 +45,10 @@ class Descriptor {
   throw Error(fmt::format("'{}' cannot be started: {}: {}", program.arguments[0], what, std::strerror(reason)));
 }
 
-// Writes the input to a file in memory, so that a child that never reads cannot block its parent.
-void fill(Descriptor& file, const Program& program) {
-  file.reset(::memfd_create("strobe-input", MFD_CLOEXEC));
-  if (file.get() < 0) failed(program, "memfd_create");
-  for (size_t done = 0; done < program.input.size();) {
-    ssize_t written = ::write(file.get(), program.input.data() + done, program.input.size() - done);
-    if (written < 0 && errno != EINTR) failed(program, "write");
-    if (written > 0) done += static_cast<size_t>(written);
-  }
-  ::lseek(file.get(), 0, SEEK_SET);
-}
-
 // Input stream of a child. A socket: sending to a closed socket raises no signal.
 class Feeding {
  public:
-  Feeding(const Program& program, Descriptor& child_end) : program_(program), rest_(program.input) {
+  Feeding(const Program& program, Descriptor& child_end) : program_(program) {
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) failed(program, "socketpair");
     descriptor_.reset(ends[0]);
@@ -74,12 +60,14 @@ class Feeding {
   // Sends as much as the child takes at once. Closes the stream after the last input, or if the child does not read any
   // more.
   void write() {
-    if (rest_.size() == done_) rest_ = program_.more_input(), done_ = 0;
-    if (rest_.empty()) return descriptor_.reset();
+    if (rest_.size() == done_) rest_ = program_.input ? program_.input() : "", done_ = 0;
+    if (rest_.empty()) return end();
     ssize_t sent = ::send(descriptor_.get(), rest_.data() + done_, rest_.size() - done_, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent > 0) done_ += static_cast<size_t>(sent);
-    if (sent < 0 && errno != EINTR && errno != EAGAIN) descriptor_.reset();
+    if (sent < 0 && errno != EINTR && errno != EAGAIN) end();
   }
+
+  void end() { descriptor_.reset(); }
 
  private:
   const Program& program_;
@@ -186,12 +174,12 @@ double leftOf(const Program& program, double started_s) {
 }
 
 // Reads until the child closes its streams or exceeds its time or room.
-void collect(const Program& program, std::array<Stream, 2>& streams, Feeding* feeding, double started_s,
+void collect(const Program& program, std::array<Stream, 2>& streams, Feeding& feeding, double started_s,
              ProgramEnd& end) {
   for (;;) {
     std::array<pollfd, 3> waiting{pollfd{streams[0].reading.get(), POLLIN, 0},
                                   pollfd{streams[1].reading.get(), POLLIN, 0},
-                                  pollfd{feeding ? feeding->descriptor() : -1, POLLOUT, 0}};
+                                  pollfd{feeding.descriptor(), POLLOUT, 0}};
     if (waiting[0].fd < 0 && waiting[1].fd < 0) return;
     double left_s = leftOf(program, started_s);
     end.timed_out = left_s <= 0;
@@ -201,7 +189,7 @@ void collect(const Program& program, std::array<Stream, 2>& streams, Feeding* fe
     if (program.meanwhile) program.meanwhile();
     for (size_t i = 0; ready > 0 && i < streams.size(); ++i)
       if (waiting[i].revents && !readInto(streams[i], program, end)) streams[i].reading.reset();
-    if (ready > 0 && waiting[2].revents) feeding->write();
+    if (ready > 0 && waiting[2].revents) feeding.write();
   }
 }
 
@@ -232,9 +220,7 @@ void reap(pid_t child, const Program& program, double started_s, ProgramEnd& end
 ProgramEnd run(const Program& program) {
   STROBE_ASSERT(!program.arguments.empty());
   Descriptor input;
-  std::optional<Feeding> feeding;
-  if (program.more_input) feeding.emplace(program, input);
-  else fill(input, program);
+  Feeding feeding(program, input);
   std::array<Stream, 2> streams;
   streams[0].open(program);
   if (program.errors == Program::Errors::apart) streams[1].open(program);
@@ -244,10 +230,11 @@ ProgramEnd run(const Program& program) {
   for (Stream& stream : streams) stream.writing.reset();
   ProgramEnd end;
   try {
-    collect(program, streams, feeding ? &*feeding : nullptr, started_s, end);
+    collect(program, streams, feeding, started_s, end);
   } catch (...) {
     endAndRethrow(child);
   }
+  feeding.end();
   reap(child, program, started_s, end);
   end.output = std::move(streams[0].text);
   end.errors = std::move(streams[1].text);

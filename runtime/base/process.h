@@ -16,11 +16,9 @@ struct Program {
   std::vector<std::string> arguments;
   // "NAME=value", replacing variables of this process with the same names. The child inherits all other variables.
   std::vector<std::string> environment;
-  // Stdin of the child.
-  std::string input;
-  // Further input, if it does not fit into memory at once. Called when the child has read all earlier input; an empty
-  // text is the end. An exception ends the child, and `run` rethrows it.
-  std::function<std::string()> more_input;
+  // Stdin of the child, piece by piece; an empty function for no input. Called when the child has read all earlier
+  // pieces; an empty piece is the end. An exception ends the child, and `run` rethrows it.
+  std::function<std::string()> input;
   // Destination of stderr: `errors` of the end, the output, or the stderr of this process.
   enum class Errors { apart, with_output, inherited };
   Errors errors = Errors::apart;

@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace strobe {
 
+namespace {
+
+// Code points of UTF-8. A byte that begins no sequence stands for itself. A sequence that is cut short ends with the
+// text.
 std::vector<char32_t> codePoints(std::string_view text) {
   std::vector<char32_t> points;
   for (size_t i = 0; i < text.size();) {
@@ -17,8 +22,6 @@ std::vector<char32_t> codePoints(std::string_view text) {
   }
   return points;
 }
-
-namespace {
 
 struct CodePointRange {
   char32_t first, last;

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Text as code points and columns, not bytes.
+// Text in terminal columns, not bytes.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace strobe {
-
-// Code points of UTF-8. A byte that begins no sequence stands for itself. A sequence that is cut short ends with the
-// text.
-std::vector<char32_t> codePoints(std::string_view text);
 
 // Width in terminal columns: combining marks 0, wide East Asian characters and emoji 2, all others 1.
 size_t displayWidth(std::string_view text);

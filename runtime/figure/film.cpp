@@ -102,7 +102,7 @@ std::vector<Path> writeFilm(const Json& data, const FindTaken& find, int steps, 
   TemporaryFile temporary(file);
   Program ffmpeg;
   ffmpeg.arguments = commandOf(film.format, width, height, fpsOf(film, find), temporary.path());
-  ffmpeg.more_input = [&] { return first.empty() ? next() : std::exchange(first, {}); };
+  ffmpeg.input = [&] { return first.empty() ? next() : std::exchange(first, {}); };
   ProgramEnd end = run(ffmpeg);
   if (!end.succeeded())
     throw Error(fmt::format("film '{}': ffmpeg ended with {}: {}", film.name, end.code(), end.errors), film.place);

@@ -40,6 +40,11 @@ struct ReadImage {
   std::string format;
   image::Image floats;
   image::UintImage uints;
+
+  bool isUint() const { return !uints.values.empty(); }
+  int width() const { return isUint() ? uints.width : floats.width; }
+  int height() const { return isUint() ? uints.height : floats.height; }
+  int channels() const { return isUint() ? uints.channels : floats.channels; }
 };
 
 // GPU time of one node in a frame, milliseconds, and the number of its executions.

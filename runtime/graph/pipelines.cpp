@@ -15,6 +15,7 @@
 
 namespace strobe::graph {
 
+using gpu::Spirv;
 using plan::ParamDesc;
 using plan::PassDesc;
 using shader::ShaderStage;
@@ -149,12 +150,12 @@ static std::vector<StageFile> sharedStages(const Home& home) {
           {backendFile(home, "any_hit.glsl"), ShaderStage::AnyHit}};
 }
 
-std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& in, const PassDesc& pass) {
-  std::vector<shader::Compiled> compiled;
-  for (const StageFile& own : ownStages(home, in, pass)) compiled.push_back(compilePass(home, in, own.file, own.stage));
-  if (!hasStages(in)) return compiled;
-  for (const StageFile& one : sharedStages(home)) compiled.push_back(compilePass(home, in, one.file, one.stage));
-  return compiled;
+std::vector<Spirv> compileStages(const Home& home, const shader::Interface& in, const PassDesc& pass) {
+  std::vector<Spirv> stages;
+  for (const StageFile& own : ownStages(home, in, pass)) stages.push_back(compilePass(home, in, own.file, own.stage));
+  if (!hasStages(in)) return stages;
+  for (const StageFile& one : sharedStages(home)) stages.push_back(compilePass(home, in, one.file, one.stage));
+  return stages;
 }
 
 std::string textOf(const shader::Interface& in) {
@@ -212,9 +213,9 @@ static bool isDebugOnly(uint32_t opcode) {
   return false;
 }
 
-std::string hashOfCode(const std::vector<uint32_t>& spirv) {
+std::string hashOfCode(const Spirv& spirv) {
   constexpr size_t kHeader = 5;
-  std::vector<uint32_t> code;
+  Spirv code;
   for (size_t at = kHeader; at < spirv.size();) {
     size_t words = std::max<size_t>(spirv[at] >> 16, 1), end = std::min(at + words, spirv.size());
     if (!isDebugOnly(spirv[at] & 0xffff)) code.insert(code.end(), spirv.begin() + long(at), spirv.begin() + long(end));
@@ -292,7 +293,7 @@ std::vector<std::string> ShaderCheck::finish() {
 struct PipelineCache::Making {
   const CompileRequest* request;
   std::string key;
-  std::vector<shader::Compiled> stages;
+  std::vector<Spirv> stages;
   std::shared_ptr<NodePipeline> pipeline;
   std::exception_ptr error;
 };
@@ -397,18 +398,17 @@ static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interf
 }
 
 // Nodes with equal keys share a driver pipeline.
-static std::string driverKey(const NodePipeline& node, const PassDesc& pass,
-                             const std::vector<shader::Compiled>& stages, const world::GpuScene& scene) {
+static std::string driverKey(const NodePipeline& node, const PassDesc& pass, const std::vector<Spirv>& stages,
+                             const world::GpuScene& scene) {
   std::string key = pass.name + "|" + scene.layoutText();
-  for (const shader::Compiled& stage : stages) key += "|" + hashOfCode(stage.spirv);
+  for (const Spirv& stage : stages) key += "|" + hashOfCode(stage);
   for (const auto& binding : node.bindings) key += fmt::format("|{} {}", binding.binding, int(binding.descriptorType));
   for (const auto& write : node.interface.writes) key += "|" + write.texels;
   return key;
 }
 
 static std::shared_ptr<const DriverPipeline> makeDriver(const gpu::Device& device, const NodePipeline& node,
-                                                        const PassDesc& pass,
-                                                        const std::vector<shader::Compiled>& stages,
+                                                        const PassDesc& pass, const std::vector<Spirv>& stages,
                                                         const world::GpuScene& scene) {
   const shader::Interface& in = node.interface;
   gpu::requireDescriptors(device, pass.name, {scene.bindings(), node.bindings});
@@ -416,14 +416,14 @@ static std::shared_ptr<const DriverPipeline> makeDriver(const gpu::Device& devic
   driver->set_layout = gpu::makeSetLayout(device, pass.name, node.bindings);
   std::vector<VkDescriptorSetLayout> sets = {scene.setLayout(), driver->set_layout.get()};
   if (in.raster) {
-    gpu::RasterShaders shaders{stages[0].spirv, stages[1].spirv, {}};
+    gpu::RasterShaders shaders{stages[0], stages[1], {}};
     for (const auto& write : in.writes) shaders.color_formats.push_back(deviceFormat(write.texels).vk);
     driver->pipeline = gpu::Pipeline::raster(device, pass.name, shaders, sets);
   } else if (hasStages(in)) {
-    gpu::TraceShaders shaders{stages[0].spirv, stages[1].spirv, stages[2].spirv, stages[3].spirv};
+    gpu::TraceShaders shaders{stages[0], stages[1], stages[2], stages[3]};
     driver->pipeline = gpu::Pipeline::trace(device, pass.name, shaders, sets);
   } else {
-    driver->pipeline = gpu::Pipeline::compute(device, pass.name, stages[0].spirv, sets);
+    driver->pipeline = gpu::Pipeline::compute(device, pass.name, stages[0], sets);
   }
   return driver;
 }
@@ -459,8 +459,6 @@ void PipelineCache::compile(Making& one) const {
   throwIfAny(nameProblems(home_, in, shaders, shader::namesUsed(home_, shaders)));
   one.pipeline = std::make_shared<NodePipeline>();
   one.pipeline->interface = in;
-  for (const auto& stage : one.stages)
-    one.pipeline->files.insert(one.pipeline->files.end(), stage.files.begin(), stage.files.end());
   for (const Path& file : filesOf(home_, *pass, in.backend)) one.pipeline->sources[file] = hashText(readText(file));
   one.pipeline->bindings = bindingsOf(in);
 }

@@ -27,12 +27,11 @@ struct DriverPipeline {
   gpu::Pipeline pipeline;
 };
 
-// Compiled pipeline of a pass for one shader interface, with its bindings and the source files it was compiled from.
+// Compiled pipeline of a pass for one shader interface, with its bindings and its source files.
 struct NodePipeline {
   std::shared_ptr<const DriverPipeline> driver;
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   shader::Interface interface;
-  std::vector<Path> files;              // shaders and their includes
   std::map<Path, std::string> sources;  // hash of each file of `filesOf` at compile time
   mutable bool ran = false;             // software devices compile in the first run
 };
@@ -61,11 +60,10 @@ std::vector<Path> filesOf(const Home& home, const plan::PassDesc& pass, Backend 
 
 // Compiles the stages of a pass without a device: the pass's own stages, then the shared stages of the backend. Throws
 // `Error`.
-std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& interface,
-                                            const plan::PassDesc& pass);
+std::vector<gpu::Spirv> compileStages(const Home& home, const shader::Interface& interface, const plan::PassDesc& pass);
 
 // Hash of SPIR-V without debug instructions.
-std::string hashOfCode(const std::vector<uint32_t>& spirv);
+std::string hashOfCode(const gpu::Spirv& spirv);
 
 // Compiles shaders without a device, each variant of each pass once, on all cores.
 class ShaderCheck {

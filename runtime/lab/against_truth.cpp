@@ -10,7 +10,8 @@
 
 namespace strobe::lab {
 
-image::Image movingMask(const Picture& picture) {
+// Empty if an output is missing.
+static image::Image movingMask(const Picture& picture) {
   const auto& outputs = picture.frame.outputs;
   auto velocity = outputs.find("velocity"), id = outputs.find("id");
   if (velocity == outputs.end() || id == outputs.end()) return {};
@@ -39,7 +40,8 @@ double displacementOf(const Picture& picture) {
   return lengths.empty() ? 0 : median(std::move(lengths));
 }
 
-image::Image edgeMask(const Picture& picture) {
+// Empty if an output is missing.
+static image::Image edgeMask(const Picture& picture) {
   constexpr int kReach = 2;
   auto id = picture.frame.outputs.find("id");
   if (id == picture.frame.outputs.end()) return {};

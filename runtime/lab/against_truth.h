@@ -6,14 +6,10 @@
 
 namespace strobe::lab {
 
-// Mask of a region: "moving" and "edge" as below, otherwise the truth output named `region`. Empty for "whole". Throws
-// `Error` for an output that the truth lacks.
+// Mask of a region. "moving": pixels of instances with a displacement of at least 0.5 px at any pixel. "edge": pixels
+// at most 2 px (per axis) from a pixel of another instance. Other names: the truth output of that name. Empty for
+// "whole". Throws `Error` for an output that the truth lacks.
 image::Image maskOf(const Picture& truth, const std::string& region);
-
-// Masks from the outputs `velocity` and `id`; empty if an output is missing. Moving: pixels of instances with a
-// displacement of at least 0.5 px at any pixel. Edge: pixels at most 2 px (per axis) from a pixel of another instance.
-image::Image movingMask(const Picture& picture);
-image::Image edgeMask(const Picture& picture);
 
 // Median displacement of the moving pixels, px over the exposure. 0 without moving pixels, NaN without `velocity` and
 // `id`.

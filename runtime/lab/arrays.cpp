@@ -20,16 +20,13 @@ static std::string textOf(const char* type, const Image& image) {
   return text;
 }
 
-std::string arrayText(const graph::ReadImage& image) {
-  return image.uints.values.empty() ? textOf("<f4", image.floats) : textOf("<u4", image.uints);
-}
-
 std::vector<Path> writeArrays(const Picture& picture, const Path& folder) {
   std::vector<Path> files;
   for (const auto* images : {&picture.frame.outputs, &picture.frame.taps})
     for (const auto& [name, image] : *images) {
       files.push_back(folder / (name + ".npy"));
-      writeFileAtomically(files.back(), arrayText(image), Flush::no);
+      const std::string text = image.isUint() ? textOf("<u4", image.uints) : textOf("<f4", image.floats);
+      writeFileAtomically(files.back(), text, Flush::no);
     }
   return files;
 }

@@ -6,11 +6,9 @@
 
 namespace strobe::lab {
 
-// Content of a .npy file (NumPy, format 1.0): rows x columns x channels, rows from the top; 32-bit floats, or unsigned
-// integers of 32 bits. Colours are linear.
-std::string arrayText(const graph::ReadImage& image);
-
 // Writes each output and tap as NAME.npy in the folder, without waiting for the disk. Returns the files written.
+// Format: NumPy 1.0, rows x columns x channels, rows from the top; 32-bit floats, or unsigned integers of 32 bits.
+// Colours are linear.
 std::vector<Path> writeArrays(const Picture& picture, const Path& folder);
 
 }  // namespace strobe::lab

@@ -20,23 +20,18 @@ std::string identityOf(const plan::Plan& plan) {
   return json.dump();
 }
 
-static Evaluated evaluatedAs(std::shared_ptr<const Evaluation> evaluation) {
-  std::shared_ptr<const plan::PipelineDesc> pipeline(evaluation, &evaluation->pipeline);
-  return {std::move(evaluation), std::move(pipeline), ""};
-}
-
-Evaluated Batch::byScripts(const std::string& pipeline, const script::Settings& sets) {
+const Batch::Evaluated& Batch::byScripts(const std::string& pipeline, const script::Settings& sets) {
   auto [found, is_new] = by_scripts_.emplace(pipeline + settingsIdentity(sets, false), Evaluated());
   if (!is_new) return found->second;
   try {
-    found->second = evaluatedAs(bench_.evaluate(pipeline, sets));
+    found->second.evaluation = bench_.evaluate(pipeline, sets);
   } catch (const Error& error) {
     found->second.refusal = error.what();
   }
   return found->second;
 }
 
-Evaluated Batch::evaluate(const std::string& pipeline, const script::Settings& sets) {
+const Batch::Evaluated& Batch::evaluated(const std::string& pipeline, const script::Settings& sets) {
   constexpr size_t kMost = 512;
   std::string key = pipeline + settingsIdentity(sets, false);
   auto known = derived_.find(key);
@@ -45,7 +40,22 @@ Evaluated Batch::evaluate(const std::string& pipeline, const script::Settings& s
   script::Settings of_pipeline = pipelineSettings(sets);
   auto by_scripts = [&](const script::Settings& deciding) { return byScripts(pipeline, deciding).evaluation; };
   std::shared_ptr<const Evaluation> evaluation = derivedEvaluation(of_pipeline, by_scripts);
-  return derived_[key] = evaluation ? evaluatedAs(evaluation) : byScripts(pipeline, of_pipeline);
+  return derived_[key] = evaluation ? Evaluated{evaluation, ""} : byScripts(pipeline, of_pipeline);
+}
+
+std::shared_ptr<const Evaluation> Batch::accepted(const std::string& pipeline, const script::Settings& sets) {
+  const Evaluated& result = evaluated(pipeline, sets);
+  if (!result.evaluation) throw Refusal(result.refusal);
+  return result.evaluation;
+}
+
+std::shared_ptr<const plan::PipelineDesc> Batch::evaluate(const std::string& pipeline, const script::Settings& sets) {
+  std::shared_ptr<const Evaluation> evaluation = accepted(pipeline, sets);
+  return {evaluation, &evaluation->pipeline};
+}
+
+bool Batch::accepts(const std::string& pipeline, const script::Settings& sets) {
+  return evaluated(pipeline, sets).evaluation != nullptr;
 }
 
 const std::string& Batch::nameOf(plan::PipelineDesc::Kind kind) {
@@ -64,15 +74,14 @@ Shot Batch::filled(const Shot& shot) {
 
 const Batch::KnownPlan& Batch::known(const Shot& shot, HeldScene& scene, const Outputs& outputs) {
   constexpr size_t kMost = 512;
-  Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
-  if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
-  const graph::Frame& frame = scene.frame(shot, plan::earlierFrames(*evaluated.pipeline));
+  const std::shared_ptr<const plan::PipelineDesc> pipeline = evaluate(shot.pipeline, shot.sets);
+  const graph::Frame& frame = scene.frame(shot, plan::earlierFrames(*pipeline));
   std::string key = fmt::format("{}x{}|{}|{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
                                 settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","),
-                                fmt::join(absentFacts(frame, *evaluated.pipeline), ","), fmt::join(outputs, ","));
+                                fmt::join(absentFacts(frame, *pipeline), ","), fmt::join(outputs, ","));
   auto found = plans_.find(key);
   if (found != plans_.end()) return found->second;
-  KnownPlan known{plannedOf(bench_, shot, scene, *evaluated.pipeline, outputs), ""};
+  KnownPlan known{plannedOf(bench_, shot, &scene, *pipeline, outputs), ""};
   known.identity = identityOf(*known.planned.plan);
   if (plans_.size() >= kMost) plans_.clear();
   return plans_[key] = std::move(known);
@@ -100,8 +109,8 @@ std::string Batch::contentOf(const Shot& wanted) {
   std::string shaders;
   for (const plan::PlanNode& node : planned.plan->nodes)
     shaders += shadersOf(planned.plan->passOf(node), planned.backend);
-  const Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
-  for (const script::Dependency& file : evaluated.evaluation->scripts) inputs_.insert(file.path);
+  const std::shared_ptr<const Evaluation> evaluation = accepted(shot.pipeline, shot.sets);
+  for (const script::Dependency& file : evaluation->scripts) inputs_.insert(file.path);
   for (const script::Dependency& file : scene->dependencies) inputs_.insert(file.path);
   shot.scene.clear();
   return hashText(fmt::format("{}|{}|{}|{}|{}|{}{}", frameIdentity(shot), sceneIdentity(shot), scene->hash,
@@ -110,8 +119,7 @@ std::string Batch::contentOf(const Shot& wanted) {
 
 Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs) {
   const Planned& planned = known(shot, *scene, outputs).planned;
-  std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets).evaluation;
-  return drawings.of(scene, planned, std::move(evaluation));
+  return drawings.of(scene, planned, accepted(shot.pipeline, shot.sets));
 }
 
 static const Batch::Outputs kColor = {"color"}, kNothing = {};

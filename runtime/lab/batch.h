@@ -15,13 +15,6 @@
 
 namespace strobe::lab {
 
-// Evaluation of a pipeline with settings, or the reason of a refusal.
-struct Evaluated {
-  std::shared_ptr<const Evaluation> evaluation;        // null if refused
-  std::shared_ptr<const plan::PipelineDesc> pipeline;  // description of the pipeline; null if refused
-  std::string refusal;
-};
-
 // Thrown if a pipeline does not accept the settings. Other errors come from the scene or the program.
 struct Refusal : Error {
   using Error::Error;
@@ -60,9 +53,11 @@ class Batch {
 
   Workbench& bench() { return bench_; }
 
-  // Evaluates a pipeline with `sets`; ignores scene settings. Settings that change only numbers are applied to the
-  // description without running scripts.
-  Evaluated evaluate(const std::string& pipeline, const script::Settings& sets);
+  // Description of a pipeline with `sets`; ignores scene settings. Settings that change only numbers are applied to the
+  // description without running scripts. Throws `Refusal`.
+  std::shared_ptr<const plan::PipelineDesc> evaluate(const std::string& pipeline, const script::Settings& sets);
+  // True if `evaluate` does not throw.
+  bool accepts(const std::string& pipeline, const script::Settings& sets);
   // Name of the pipeline in the registry that declares this kind: the raster image without blur, or truth.
   const std::string& nameOf(plan::PipelineDesc::Kind kind);
   // The shot, with unset options filled in from its scene.
@@ -101,6 +96,11 @@ class Batch {
   KeptDrawings drawings;  // graphs of earlier pictures
 
  private:
+  // Evaluation of a pipeline with settings, or the reason of a refusal.
+  struct Evaluated {
+    std::shared_ptr<const Evaluation> evaluation;  // null if refused
+    std::string refusal;
+  };
   struct KnownPlan {
     Planned planned;
     std::string identity;
@@ -110,7 +110,9 @@ class Batch {
     std::shared_ptr<const Picture> picture;
     size_t bytes = 0;
   };
-  Evaluated byScripts(const std::string& pipeline, const script::Settings& sets);
+  const Evaluated& byScripts(const std::string& pipeline, const script::Settings& sets);
+  const Evaluated& evaluated(const std::string& pipeline, const script::Settings& sets);
+  std::shared_ptr<const Evaluation> accepted(const std::string& pipeline, const script::Settings& sets);
   const KnownPlan& known(const Shot& filled, HeldScene& scene, const Outputs& outputs = {});
   Drawing& drawing(const Shot& filled, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs = {});
   const std::string& shadersOf(const plan::PassDesc& pass, graph::Backend backend);

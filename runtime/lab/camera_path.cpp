@@ -21,13 +21,12 @@ static CameraKey keyOf(const std::string& text) {
   };
   size_t equals = text.find('=');
   if (equals == std::string::npos) refuse();
-  auto frame = numbersIn<double, 1>(std::string_view(text).substr(0, equals), ',');
+  auto frame = finiteNumber(std::string_view(text).substr(0, equals));
   auto view = numbersIn<double, 6>(std::string_view(text).substr(equals + 1), ',');
   if (!frame || !view) refuse();
-  bool finite = std::isfinite(frame->front()) &&
-                std::all_of(view->begin(), view->end(), [](double number) { return std::isfinite(number); });
+  bool finite = std::all_of(view->begin(), view->end(), [](double number) { return std::isfinite(number); });
   if (!finite || std::equal(view->begin(), view->begin() + 3, view->begin() + 3)) refuse();
-  return {frame->front(), *view};
+  return {*frame, *view};
 }
 
 std::vector<CameraKey> cameraKeys(const std::vector<std::string>& texts) {

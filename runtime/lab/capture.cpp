@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/lists.h"
 #include "base/log.h"
 #include "image/cryptomatte.h"
 #include "image/png.h"
@@ -38,15 +39,11 @@ std::vector<std::string> componentNames(const std::string& output, int channels)
 
 // ---- layers
 
-static bool isUint(const graph::ReadImage& read) { return !read.uints.values.empty(); }
-static int widthOf(const graph::ReadImage& read) { return isUint(read) ? read.uints.width : read.floats.width; }
-static int heightOf(const graph::ReadImage& read) { return isUint(read) ? read.uints.height : read.floats.height; }
-
 static void addLayer(image::ExrPart& part, const std::string& output, const graph::ReadImage& read,
                      image::ExrKind kind) {
-  LayerName name = layerName(output, isUint(read) ? read.uints.channels : read.floats.channels);
-  name.components.resize(size_t(isUint(read) ? read.uints.channels : read.floats.channels));
-  if (isUint(read)) part.add(name.layer, name.components, read.uints);
+  LayerName name = layerName(output, read.channels());
+  name.components.resize(size_t(read.channels()));
+  if (read.isUint()) part.add(name.layer, name.components, read.uints);
   else part.add(name.layer, name.components, read.floats, kind);
 }
 
@@ -70,11 +67,11 @@ static std::vector<Named> chosen(const Picture& picture, const std::vector<std::
   for (const auto* all : {&picture.frame.outputs, &picture.frame.taps})
     for (const auto& [name, read] : *all) {
       known.push_back(name);
-      bool wanted = layers.empty() || std::find(layers.begin(), layers.end(), name) != layers.end();
+      bool wanted = layers.empty() || contains(layers, name);
       if (wanted && name != "color") images.push_back({name, &read});
     }
   for (const std::string& layer : layers)
-    if (std::find(known.begin(), known.end(), layer) == known.end())
+    if (!contains(known, layer))
       throw Error(fmt::format("the picture has no output or tap '{}'{}; it has {}", layer, didYouMean(layer, known),
                               fmt::join(known, ", ")));
   return images;
@@ -85,7 +82,7 @@ static std::vector<Named> chosen(const Picture& picture, const std::vector<std::
 static std::shared_ptr<const image::IdCoverage> coverageOf(const Picture& picture) {
   if (picture.id_coverage) return picture.id_coverage;
   auto ids = picture.frame.outputs.find("id");
-  if (ids == picture.frame.outputs.end() || !isUint(ids->second))
+  if (ids == picture.frame.outputs.end() || !ids->second.isUint())
     throw Error("the picture has no output 'id' of integers, which mattes need");
   STROBE_ASSERT(picture.record["shot"].value("aa", 1) == 1, "the ids of the other samples are lost");
   auto seen = std::make_shared<image::IdCoverage>();
@@ -160,10 +157,10 @@ static void describe(image::ExrFile& file, const Picture& picture) {
 static std::vector<Named>::iterator sortedForReaders(std::vector<Named>& images, const Picture& picture) {
   const image::Image& color = picture.frame.outputs.at("color").floats;
   auto whole = [&](const Named& image) {
-    return widthOf(*image.second) == color.width && heightOf(*image.second) == color.height;
+    return image.second->width() == color.width && image.second->height() == color.height;
   };
   auto rest = std::stable_partition(images.begin(), images.end(),
-                                    [&](const Named& image) { return whole(image) && !isUint(*image.second); });
+                                    [&](const Named& image) { return whole(image) && !image.second->isUint(); });
   std::stable_partition(rest, images.end(), whole);
   return rest;
 }
@@ -179,11 +176,11 @@ image::ExrFile exrOf(const Picture& picture, const ExrOptions& options) {
   auto add = [&](const Named& image) {
     const auto& [name, read] = image;
     if (options.multipart) addPart(file, partOf(name, *read, kind));
-    else if (file.channels.empty() || (widthOf(*read) == file.width && heightOf(*read) == file.height))
+    else if (file.channels.empty() || (read->width() == file.width && read->height() == file.height))
       addLayer(file, name, *read, kind);
     else
       warn(fmt::format("'{}' is {}x{}, not as large as the color, and is left out of the file; --multipart keeps it",
-                       name, widthOf(*read), heightOf(*read)));
+                       name, read->width(), read->height()));
   };
   std::vector<Named> images = chosen(picture, options.layers);
   auto rest = sortedForReaders(images, picture);

@@ -25,31 +25,20 @@ const std::string& Planned::shape() const {
   return shape_;
 }
 
-// `absent` returns the facts that do not hold. The hash for the record does not depend on these facts, so another
-// thread computes it meanwhile.
-static Planned plannedFor(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline,
-                          const std::function<std::vector<std::string>()>& absent,
-                          const std::set<std::string>& outputs) {
+// The hash for the record does not depend on the facts of the frame, so another thread computes it meanwhile.
+Planned plannedOf(const Workbench& bench, const Shot& shot, HeldScene* scene, const plan::PipelineDesc& pipeline,
+                  const std::set<std::string>& outputs) {
   Planned planned;
   planned.backend = bench.chooseBackend(shot.backend);
   Shot untapped = shot;
   untapped.taps.clear();
   std::future<std::string> hash =
       std::async(std::launch::async, [&] { return plan::hashOf(planOf(untapped, pipeline, planned.backend)); });
-  planned.plan = std::make_shared<const plan::Plan>(planOf(shot, pipeline, planned.backend, absent(), outputs));
+  std::vector<std::string> absent;
+  if (scene) absent = absentFacts(scene->frame(shot, plan::earlierFrames(pipeline)), pipeline);
+  planned.plan = std::make_shared<const plan::Plan>(planOf(shot, pipeline, planned.backend, absent, outputs));
   planned.hash = hash.get();
   return planned;
-}
-
-Planned plannedOf(const Workbench& bench, const Shot& shot, HeldScene& scene, const plan::PipelineDesc& pipeline,
-                  const std::set<std::string>& outputs) {
-  return plannedFor(
-      bench, shot, pipeline, [&] { return absentFacts(scene.frame(shot, plan::earlierFrames(pipeline)), pipeline); },
-      outputs);
-}
-
-Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline) {
-  return plannedFor(bench, shot, pipeline, [] { return std::vector<std::string>(); }, {});
 }
 
 // ---- memory
@@ -226,7 +215,7 @@ static void describe(const Home& home, Picture& picture, const Drawing& drawing,
   picture.ndc_from_world = mat4(ndcFromCamera(pose.camera, aspect) * camera_from_world);
   picture.id_names = idNamesOf(drawing.scene().scene);
   picture.warnings = drawing.scene().scene.warnings;
-  picture.record = makeRecord({home, shot, drawing, device}, picture.frame);
+  picture.record = makeRecord(home, shot, drawing, device, picture.frame);
   picture.record["limits"] = Json::array();
   for (const LimitMet& met : drawing.limitsMet(shot, picture.frame)) {
     picture.warnings.push_back(met.text());

@@ -21,11 +21,10 @@ class Planned {
   mutable std::string shape_;
 };
 
-// Plan of a shot without unset options, for the facts of its frame and for `outputs` (empty: all). Throws `Error`.
-Planned plannedOf(const Workbench& bench, const Shot& shot, HeldScene& scene, const plan::PipelineDesc& pipeline,
+// Plan of a shot without unset options, for the facts of its frame in `scene` (null: all facts hold) and for `outputs`
+// (empty: all). Throws `Error`.
+Planned plannedOf(const Workbench& bench, const Shot& shot, HeldScene* scene, const plan::PipelineDesc& pipeline,
                   const std::set<std::string>& outputs = {});
-// Plan for any scene and all outputs: all facts hold.
-Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline);
 
 // Compiled frame graph of a shot with its scene on the device, ready to draw frames. Changes of parameters alone reuse
 // the graph.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/lists.h"
 #include "base/log.h"
 
 namespace strobe::lab {
@@ -35,7 +36,7 @@ void ChangedFiles::remember(const Drawing& running, const std::vector<script::De
       for (const Path& one : reached) note_as_it_is(one);
     }
   for (const auto& [node, pipeline] : running.graph().pipelines())
-    for (const Path& file : pipeline->files) note_as_it_is(file);
+    for (const auto& [file, hash] : pipeline->sources) note_as_it_is(file);
   // Folders of new files are watched from the next look on, because the picture comes first.
   if (!tried.empty() || noted_.size() > noted_before) watches_all_ = false;
 }
@@ -104,8 +105,7 @@ std::optional<FileChanges> ChangedFiles::failureAtItsTime(bool wait) {
 static void add(FileChanges& changes, const FileChanges& failed) {
   if (changes.files.empty()) changes.show_failure_at_s = failed.show_failure_at_s;
   std::vector<std::string> files = failed.files;
-  for (const std::string& file : changes.files)
-    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  for (const std::string& file : changes.files) addOnce(files, file);
   changes.files = std::move(files);
   changes.scripts |= failed.scripts;
   changes.scene |= failed.scene;

@@ -60,7 +60,7 @@ Picture KeptDrawings::render(const Shot& shot, const std::function<void(int, int
   Shot filled = shot;
   std::shared_ptr<const Evaluation> evaluation = bench_.evaluateNumbers(shot.pipeline, shot.sets);
   std::shared_ptr<HeldScene> scene = bench_.scene(filled, true);
-  const Planned planned = plannedOf(bench_, filled, *scene, evaluation->pipeline);
+  const Planned planned = plannedOf(bench_, filled, scene.get(), evaluation->pipeline);
   dropIfStale(planned, *scene);
   return of(scene, planned, std::move(evaluation)).capture(filled, nullptr, progress, id_coverage);
 }

@@ -34,12 +34,13 @@ const std::string& programHash() {
   return hash;
 }
 
-Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
-  const plan::Plan& plan = c.drawing.plan();
-  const HeldScene& scene = c.drawing.scene();
+Json makeRecord(const Home& home, const Shot& shot, const Drawing& drawing, const gpu::DeviceInfo& device,
+                const graph::FrameResult& frame) {
+  const plan::Plan& plan = drawing.plan();
+  const HeldScene& scene = drawing.scene();
   Json record;
   record["strobe"] = {{"version", kVersion}, {"program", programHash()}};
-  record["shot"] = toJson(c.shot);
+  record["shot"] = toJson(shot);
   Json& pipeline = record["pipeline"];
   pipeline["name"] = plan.pipeline.name;
   if (!plan.pipeline.preset.empty()) pipeline["preset"] = plan.pipeline.preset;
@@ -51,7 +52,7 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
       pipeline["nodes"][plan.descOf(node).name][name] = plan::toJson(value);
     }
   }
-  pipeline["plan"] = c.drawing.planned().hash;
+  pipeline["plan"] = drawing.planned().hash;
   record["facts"] = Json::array();
   for (const plan::Fact& fact : plan::facts())
     if (!plan::lacks(plan, fact.name)) record["facts"].push_back(fact.name);
@@ -59,14 +60,14 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   record["scene"]["warnings"] = scene.scene.warnings;
   record["scene"]["assumptions"] = scene.scene.assumptions;
   if (!scene.scene.attribution.is_null()) record["scene"]["attribution"] = scene.scene.attribution;
-  for (const auto* files : {&c.drawing.evaluation().scripts, &scene.dependencies})
-    for (const auto& file : *files) record["scripts"][c.home.recorded(file.path, file.shown)] = file.hash;
-  record["shaders"] = shaderHashes(c.home, c.drawing.graph());
-  record["device"] = {{"name", c.device.name},
-                      {"driver", c.device.driver},
-                      {"api", c.device.api},
-                      {"software", c.device.software},
-                      {"backend", backendName(c.drawing.planned().backend)}};
+  for (const auto* files : {&drawing.evaluation().scripts, &scene.dependencies})
+    for (const auto& file : *files) record["scripts"][home.recorded(file.path, file.shown)] = file.hash;
+  record["shaders"] = shaderHashes(home, drawing.graph());
+  record["device"] = {{"name", device.name},
+                      {"driver", device.driver},
+                      {"api", device.api},
+                      {"software", device.software},
+                      {"backend", backendName(drawing.planned().backend)}};
   for (const auto& [name, count] : frame.counters) record["counters"][name] = count;
   for (const auto& [name, count] : frame.iterations) record["iterations"][name] = count;
   for (const auto& [name, image] : frame.outputs) record["outputs"][name] = hashOf(image);

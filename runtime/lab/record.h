@@ -6,16 +6,9 @@
 
 namespace strobe::lab {
 
-// Inputs of a picture's run record: home folder, shot, drawing and device. Holds references, which must outlive the
-// context.
-struct RecordContext {
-  const Home& home;
-  const Shot& shot;
-  const Drawing& drawing;
-  const gpu::DeviceInfo& device;
-};
-
-Json makeRecord(const RecordContext& context, const graph::FrameResult& frame);
+// Run record of a drawn frame.
+Json makeRecord(const Home& home, const Shot& shot, const Drawing& drawing, const gpu::DeviceInfo& device,
+                const graph::FrameResult& frame);
 
 // Timings: GPU milliseconds per pass and per frame; wall-clock seconds of loading the scene, preparation and drawing;
 // peak memory of the process, bytes.

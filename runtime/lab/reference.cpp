@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "base/lists.h"
 #include "base/utf8.h"
 #include "lab/limits.h"
 #include "lab/shot.h"
@@ -480,7 +481,8 @@ Json jsonOf(const PipelineDesc& pipeline) {
 
 }  // namespace
 
-std::string passPage(const PassDesc& pass) {
+// Page of a pass: description, failures, inputs, outputs, parameters, names in GLSL.
+static std::string passPage(const PassDesc& pass) {
   std::string text = fmt::format("# {}\n\n{}\n\n", pass.name, sentence(pass.doc));
   text +=
       fmt::format("{}; its outputs are {}.\n\nFiles: {}.\n\n", kindText(pass), sizeText(pass.size), filesText(pass));
@@ -576,7 +578,7 @@ std::string helpOn(const Home& home, const std::string& topic) {
   bool of_param = owner.size() < topic.size();
   std::vector<std::string> known = script::pipelineNames(home);
   std::vector<PassDesc> passes = allPasses(home);
-  if (std::find(known.begin(), known.end(), owner) != known.end()) {
+  if (contains(known, owner)) {
     PipelineDesc pipeline = script::evaluatePipeline(home, {owner, {}});
     if (of_param) return helpOnParam(topic, owner, pipeline.params, false);
     return pipelinePage(pipeline, presetsOf(home, pipeline), passes);
@@ -593,8 +595,7 @@ Json helpJson(const Home& home, const std::string& topic) {
   std::vector<PassDesc> passes = allPasses(home);
   if (topic.empty()) return {{"pipelines", listOf(allPipelines(home))}, {"passes", listOf(passes)}};
   std::vector<std::string> known = script::pipelineNames(home);
-  if (std::find(known.begin(), known.end(), topic) != known.end())
-    return jsonOf(script::evaluatePipeline(home, {topic, {}}));
+  if (contains(known, topic)) return jsonOf(script::evaluatePipeline(home, {topic, {}}));
   if (const PassDesc* pass = findPass(passes, topic)) return jsonOf(*pass);
   for (const PassDesc& one : passes) known.insert(known.end(), {memberOf(one), stemOf(one)});
   refuse(topic, known);

@@ -19,9 +19,6 @@ struct ReferencePage {
   std::string text;
 };
 
-// Page of a pass: description, failures, inputs, outputs, parameters, names in GLSL.
-std::string passPage(const plan::PassDesc& pass);
-
 // Pages of every pass and pipeline of the home folder, and the index. Throws `Error` for an invalid declaration.
 std::vector<ReferencePage> referencePages(const Home& home);
 

@@ -30,7 +30,7 @@ std::vector<EditKind> kindsFor(const Session& session) {
   const plan::PassDesc& last = plan.passOf(plan.nodes.back());
   std::map<std::string, int> uses;
   for (const auto& [node, pipeline] : session.running().graph().pipelines())
-    for (const Path& file : pipeline->files)
+    for (const auto& [file, hash] : pipeline->sources)
       if (std::string name = Home::withoutRoot(home.shown(file));
           name.starts_with("shaders/lib/") || name.starts_with("shaders/mixin/"))
         ++uses[home.shown(file)];

@@ -20,7 +20,7 @@ std::unique_ptr<Drawing> Session::build(const Shot& shot, std::shared_ptr<const 
                                         std::vector<std::string>* problems, bool whole) {
   Shot filled = shot;
   std::shared_ptr<HeldScene> scene = bench_.scene(filled);
-  Planned planned = plannedOf(bench_, filled, *scene, evaluation->pipeline);
+  Planned planned = plannedOf(bench_, filled, scene.get(), evaluation->pipeline);
   return std::make_unique<Drawing>(bench_, scene, std::move(planned), std::move(evaluation), running_.get(), problems,
                                    whole);
 }

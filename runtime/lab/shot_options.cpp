@@ -8,6 +8,7 @@
 #include "gpu/choice.h"
 #include "lab/camera_path.h"
 #include "math/shutter_curve.h"
+#include "plan/named.h"
 #include "scene/depth_bounds.h"
 #include "scene/motion.h"
 #include "shader/backends.h"
@@ -173,11 +174,7 @@ const std::vector<ShotOption>& shotOptions() {
   return options;
 }
 
-const ShotOption* findShotOption(const std::string& name) {
-  for (const ShotOption& option : shotOptions())
-    if (option.name == name) return &option;
-  return nullptr;
-}
+const ShotOption* findShotOption(const std::string& name) { return plan::find(shotOptions(), name); }
 
 // ---- values
 

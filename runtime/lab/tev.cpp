@@ -50,7 +50,7 @@ std::string finished(std::string packet) {
 }
 
 image::Image asFloats(const graph::ReadImage& read) {
-  if (read.uints.values.empty()) return read.floats;
+  if (!read.isUint()) return read.floats;
   image::Image image(read.uints.width, read.uints.height, read.uints.channels);
   std::transform(read.uints.values.begin(), read.uints.values.end(), image.values.begin(),
                  [](uint32_t v) { return float(v); });

@@ -16,14 +16,8 @@ namespace {
 
 std::string shortest(double value) { return fmt::format("{}", float(value)); }
 
-template <class Numbers>
-std::string joined(const Numbers& numbers, const char* between = "  ") {
-  std::vector<std::string> texts;
-  for (auto number : numbers) texts.push_back(shortest(number));
-  return fmt::format("{}", fmt::join(texts, between));
-}
-
-std::string joined(const vec3& v) { return joined(std::vector<double>{v.x, v.y, v.z}, " "); }
+std::vector<double> listOf(const vec2& v) { return {v.x, v.y}; }
+std::vector<double> listOf(const vec3& v) { return {v.x, v.y, v.z}; }
 
 // Port `name` of a pass.
 const plan::PortDesc& portOf(const plan::PassDesc& pass, const std::string& name) {
@@ -77,17 +71,12 @@ std::string texelText(const TrailRow& row) {
   return fmt::format("tile {},{} of {}x{} px", row.x, row.y, row.divide, row.divide);
 }
 
-std::string valueText(const TrailRow& row) {
-  if (!row.integers.empty()) return fmt::format("{}", fmt::join(row.integers, "  "));
-  return row.values.empty() ? "-" : joined(row.values);
-}
-
 page::Table imagesOf(const Trail& trail) {
   page::Table table{fmt::format("pixel {},{} of {}x{}, pipeline {}: outputs of every pass, in the order of execution",
                                 trail.x, trail.y, trail.width, trail.height, trail.pipeline),
                     {"pass", "image", "format", "texel", "value", "meaning"}};
   for (const TrailRow& row : trail.rows)
-    table.add({row.node, row.port, row.format, texelText(row), valueText(row), row.doc});
+    table.add({row.node, row.port, row.format, texelText(row), valuesText(row), row.doc});
   return table;
 }
 
@@ -97,8 +86,8 @@ page::Table hitsOf(const Trail& trail) {
                      "displacement [px]", "color [linear]"}};
   for (const TrailHit& hit : trail.hits)
     table.add({std::to_string(hit.layer), hit.instance, std::to_string(hit.geometry), std::to_string(hit.primitive),
-               hit.front ? "front" : "back", shortest(hit.depth), joined(hit.normal),
-               joined(std::vector<double>{hit.velocity.x, hit.velocity.y}, " "), joined(hit.color)});
+               hit.front ? "front" : "back", shortest(hit.depth), numbersText(listOf(hit.normal), " "),
+               numbersText(listOf(hit.velocity), " "), numbersText(listOf(hit.color), " ")});
   return table;
 }
 
@@ -108,14 +97,11 @@ Json numberJson(double value) {
   return std::strtod(shortest(value).c_str(), nullptr);
 }
 
-template <class Numbers>
-Json numbersJson(const Numbers& numbers) {
+Json numbersJson(const std::vector<double>& numbers) {
   Json json = Json::array();
-  for (auto number : numbers) json.push_back(numberJson(number));
+  for (double number : numbers) json.push_back(numberJson(number));
   return json;
 }
-
-Json vectorJson(const vec3& v) { return numbersJson(std::vector<double>{v.x, v.y, v.z}); }
 
 Json toJson(const TrailRow& row) {
   Json json = {{"node", row.node}, {"port", row.port}, {"format", row.format}, {"doc", row.doc}};
@@ -132,9 +118,9 @@ Json toJson(const TrailHit& hit) {
       {"layer", hit.layer}, {"instance", hit.instance}, {"geometry", hit.geometry}, {"primitive", hit.primitive}};
   json["side"] = hit.front ? "front" : "back";
   json["depth_m"] = numberJson(hit.depth);
-  json["normal"] = vectorJson(hit.normal);
-  json["displacement_px"] = numbersJson(std::vector<double>{hit.velocity.x, hit.velocity.y});
-  json["color"] = vectorJson(hit.color);
+  json["normal"] = numbersJson(listOf(hit.normal));
+  json["displacement_px"] = numbersJson(listOf(hit.velocity));
+  json["color"] = numbersJson(listOf(hit.color));
   return json;
 }
 
@@ -187,6 +173,17 @@ std::vector<TrailHit> hitsAt(const Session& looked_at, int x, int y) {
 }
 
 }  // namespace
+
+std::string numbersText(const std::vector<double>& numbers, const char* between) {
+  std::vector<std::string> texts;
+  for (double number : numbers) texts.push_back(shortest(number));
+  return fmt::format("{}", fmt::join(texts, between));
+}
+
+std::string valuesText(const TrailRow& row) {
+  if (!row.integers.empty()) return fmt::format("{}", fmt::join(row.integers, "  "));
+  return row.values.empty() ? "-" : numbersText(row.values);
+}
 
 std::array<int, 2> parsePixel(const std::string& text) {
   auto pixel = numbersIn<int, 2>(text, ',');

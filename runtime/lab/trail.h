@@ -42,6 +42,11 @@ struct Trail {
   std::vector<TrailHit> hits;
 };
 
+// Numbers as the shortest texts that read back as the same 32-bit floats.
+std::string numbersText(const std::vector<double>& numbers, const char* between = "  ");
+// Values of a row; "-" without values.
+std::string valuesText(const TrailRow& row);
+
 // Parses "X,Y", pixels from the top left. Throws `Error` (exit code 2).
 std::array<int, 2> parsePixel(const std::string& text);
 

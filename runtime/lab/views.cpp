@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "image/canvas.h"
 #include "image/false_colour.h"
 #include "image/tone.h"
@@ -24,10 +25,6 @@ constexpr Colour kTint = {1.0f, 0.50f, 0.08f};
 std::string nameOf(const std::string& port) { return port.substr(port.rfind('.') + 1); }
 
 bool has(const std::string& name, const char* part) { return name.find(part) != std::string::npos; }
-
-bool hasIntegers(const ReadImage& image) { return !image.uints.values.empty(); }
-
-int channelsOf(const ReadImage& image) { return hasIntegers(image) ? image.uints.channels : image.floats.channels; }
 
 // Smallest and largest finite value of an image.
 struct ValueRange {
@@ -261,8 +258,8 @@ Image floatsShown(const Image& data, const std::string& kind, const std::string&
 
 std::string automaticKind(const ReadImage& image, const std::string& port) {
   std::string name = nameOf(port);
-  if (hasIntegers(image)) return "id";
-  int channels = channelsOf(image);
+  if (image.isUint()) return "id";
+  int channels = image.channels();
   if (channels == 1 && (has(name, "depth") || name == "Z")) return "depth";
   if (channels == 1) return image.format == "r8_unorm" ? "mask" : "scalar";
   if (channels == 2) return "velocity";
@@ -271,8 +268,8 @@ std::string automaticKind(const ReadImage& image, const std::string& port) {
 }
 
 std::vector<std::string> viewKinds(const ReadImage& image) {
-  if (hasIntegers(image)) return {"auto", "id", "numbers"};
-  int channels = channelsOf(image);
+  if (image.isUint()) return {"auto", "id", "numbers"};
+  int channels = image.channels();
   if (channels == 1) return {"auto", "scalar", "mask", "depth", "colour", "numbers"};
   if (channels == 2) return {"auto", "velocity", "arrows", "scalar", "numbers"};
   return {"auto", "colour", "normal", "velocity", "arrows", "scalar", "numbers"};
@@ -289,11 +286,9 @@ int divideOf(const plan::Plan& plan, const std::string& port) {
 Image shown(const ReadImage& image, const std::string& port, int divide, int width, int height,
             const ViewOptions& options, const Image* under, Legend* legend) {
   if (legend) *legend = {};
-  if (hasIntegers(image)) return placed(image::idColours(image.uints), divide, width, height);
+  if (image.isUint()) return placed(image::idColours(image.uints), divide, width, height);
   if (image.floats.empty()) return Image(width, height, 3);
-  std::vector<std::string> kinds = viewKinds(image);
-  bool known = std::find(kinds.begin(), kinds.end(), options.kind) != kinds.end();
-  bool automatic = !known || options.kind == "auto" || options.kind == "numbers";
+  bool automatic = !contains(viewKinds(image), options.kind) || options.kind == "auto" || options.kind == "numbers";
   std::string kind = automatic ? automaticKind(image, port) : options.kind;
   Legend made;
   Image display = floatsShown(image.floats, kind, nameOf(port), divide, width, height, options, under, made);

@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "base/numbers.h"
 #include "lab/capture.h"
+#include "plan/named.h"
 
 namespace strobe::live {
 
@@ -49,20 +50,13 @@ const std::vector<CommandForm> DrivenWindow::kForms = {
      }},
     {"reloaded", "", "wait until edited files are loaded or refused, 20 s at most",
      [](DrivenWindow& w, const Command& c) {
-       if (!w.wait_since_s_) w.wait_since_s_ = clockSeconds();
-       if (clockSeconds() - *w.wait_since_s_ > kReloadLimit_s) throw Error("no edited file was detected", c.place);
+       if (w.secondsPassed() > kReloadLimit_s) throw Error("no edited file was detected", c.place);
        if (w.parts_.desk.sides().reloads() == w.reloads_seen_) return false;
-       w.wait_since_s_.reset();
        w.reloads_seen_ = w.parts_.desk.sides().reloads();
        return true;
      }},
     {"wait", "N", "wait for N frames of the window",
-     [](DrivenWindow& w, const Command& c) {
-       if (!w.wait_from_) w.wait_from_ = w.parts_.state.window_frame;
-       if (w.parts_.state.window_frame < *w.wait_from_ + integerOf(c, 0)) return false;
-       w.wait_from_.reset();
-       return true;
-     }},
+     [](DrivenWindow& w, const Command& c) { return w.framesPassed() >= integerOf(c, 0); }},
     {"frame", "N", "go to frame N",
      [](DrivenWindow& w, const Command& c) { return w.parts_.desk.goToFrame(integerOf(c, 0)), true; }},
     {"play", "on|off", "start or stop playback; each drawn frame raises the frame number by one",
@@ -111,12 +105,9 @@ const std::vector<CommandForm> DrivenWindow::kForms = {
      }},
     {"swept", "", "wait until the sweep has all pictures, errors and times, 60 s at most",
      [](DrivenWindow& w, const Command& c) {
-       if (!w.wait_since_s_) w.wait_since_s_ = clockSeconds();
        if (!w.parts_.sweeper.isOpen()) throw Error("no sweep is open", c.place);
-       if (clockSeconds() - *w.wait_since_s_ > kTruthLimit_s) throw Error("the sweep is not complete", c.place);
-       if (!w.parts_.sweeper.isComplete()) return false;
-       w.wait_since_s_.reset();
-       return true;
+       if (w.secondsPassed() > kTruthLimit_s) throw Error("the sweep is not complete", c.place);
+       return w.parts_.sweeper.isComplete();
      }},
     {"experiment", "FILE.lua", "save the sweep as an experiment",
      [](DrivenWindow& w, const Command& c) {
@@ -124,14 +115,11 @@ const std::vector<CommandForm> DrivenWindow::kForms = {
      }},
     {"click", "X Y", "click the left button at a pixel of the window",
      [](DrivenWindow& w, const Command& c) {
-       if (!w.wait_from_) w.wait_from_ = w.parts_.state.window_frame;
-       int passed = w.parts_.state.window_frame - *w.wait_from_;
        w.clicked_ = dvec2(integerOf(c, 0), integerOf(c, 1));
        // Panels need separate frames for pointer moved, button down and button up.
-       w.pressed_ = passed == 2;
-       if (passed < 4) return false;
+       w.pressed_ = w.framesPassed() == 2;
+       if (w.framesPassed() < 4) return false;
        w.clicked_.reset();
-       w.wait_from_.reset();
        return true;
      }},
     {"search", "[TEXT]", "show only controls with TEXT in name or description",
@@ -151,15 +139,13 @@ const std::vector<CommandForm> DrivenWindow::kForms = {
      }},
     {"screenshot", "FILE.png", "write a screenshot of the window",
      [](DrivenWindow& w, const Command& c) {
-       if (!w.wait_from_) w.wait_from_ = w.parts_.state.window_frame;
        // Wait until recent changes are drawn and the panels have settled.
-       if (!w.shot_asked_ && w.parts_.state.window_frame >= *w.wait_from_ + kSettleFrames) {
+       if (!w.shot_asked_ && w.framesPassed() >= kSettleFrames) {
          w.parts_.screenshot = c.arguments[0];
          w.shot_asked_ = true;
        }
        if (!w.shot_asked_ || w.parts_.screenshot) return false;
        w.shot_asked_ = false;
-       w.wait_from_.reset();
        return true;
      }},
     {"capture", "FILE.exr", "write the picture like 'strobe render'",
@@ -178,13 +164,11 @@ const std::vector<CommandForm> DrivenWindow::kForms = {
      }},
     {"truth", "N", "wait until ground truth in the background has N samples, 60 s at most",
      [](DrivenWindow& w, const Command& c) {
-       if (!w.wait_since_s_) w.wait_since_s_ = clockSeconds();
        w.parts_.desk.wantTruth(integerOf(c, 0));
-       if (clockSeconds() - *w.wait_since_s_ > kTruthLimit_s)
+       if (w.secondsPassed() > kTruthLimit_s)
          throw Error(fmt::format("the truth has only {} samples", w.parts_.desk.truth().samples(w.parts_.desk.shot())),
                      c.place);
        if (w.parts_.desk.truth().samples(w.parts_.desk.shot()) < integerOf(c, 0)) return false;
-       w.wait_since_s_.reset();
        w.parts_.desk.wantTruth(0);
        return true;
      }},
@@ -275,11 +259,8 @@ std::vector<Command> parseDrive(const std::string& text, const std::string& file
 
 double numberOf(const Command& command, size_t argument) {
   const std::string& text = command.arguments.at(argument);
-  std::istringstream stream(text);
-  double value = 0;
-  if (!(stream >> value) || !stream.eof() || !std::isfinite(value))
-    throw Error(fmt::format("'{}': '{}' is not a number", command.name, text), command.place);
-  return value;
+  if (std::optional<double> number = finiteNumber(text)) return *number;
+  throw Error(fmt::format("'{}': '{}' is not a number", command.name, text), command.place);
 }
 
 int integerOf(const Command& command, size_t argument) {
@@ -296,16 +277,20 @@ DrivenWindow::DrivenWindow(const Path& file, const DrivenParts& parts)
 void DrivenWindow::advance() {
   for (; !done(); ++next_) {
     const Command& command = commands_[next_];
-    auto form = std::find_if(kForms.begin(), kForms.end(), [&](const auto& one) { return one.name == command.name; });
+    if (!start_) start_ = {parts_.state.window_frame, clockSeconds()};
     try {
-      if (!form->run(*this, command)) return;
+      if (!plan::find(kForms, command.name)->run(*this, command)) return;
     } catch (const Error& error) {
       bool placed = error.place().file == command.place.file && error.place().line == command.place.line;
       if (placed) throw;
       throw Error(fmt::format("'{}' failed: {}", command.name, error.what()), command.place);
     }
+    start_.reset();
   }
 }
+
+int DrivenWindow::framesPassed() const { return parts_.state.window_frame - start_->frame; }
+double DrivenWindow::secondsPassed() const { return clockSeconds() - start_->time_s; }
 
 void DrivenWindow::point(const PictureView& view) const {
   dvec2 at = clicked_ ? *clicked_ : pointed_ ? view.inWindow(*pointed_ + dvec2(0.5)) : dvec2(-1e6);

@@ -67,12 +67,19 @@ class DrivenWindow {
   void point(const PictureView& view) const;
 
  private:
+  // Start of a command: number of the window frame, and clock.
+  struct Start {
+    int frame;
+    double time_s;
+  };
+  int framesPassed() const;  // since the start of the command
+  double secondsPassed() const;
+
   DrivenParts parts_;
   std::vector<Command> commands_;
   size_t next_ = 0;
+  std::optional<Start> start_;  // of the command that runs
   // State of commands that wait.
-  std::optional<int> wait_from_;
-  std::optional<double> wait_since_s_;
   int reloads_seen_ = 0;
   bool shot_asked_ = false;
   std::optional<dvec2> pointed_;  // pixel of the picture

@@ -7,6 +7,7 @@
 
 #include "base/log.h"
 #include "page/number.h"
+#include "plan/named.h"
 
 namespace strobe::live {
 
@@ -255,10 +256,7 @@ void timeRow(const Fonts& fonts, const TimeHistory::Row* a, const TimeHistory::R
 }
 
 const TimeHistory::Row* passNamed(const Side* side, const std::string& name) {
-  if (!side) return nullptr;
-  for (const TimeHistory::Row& row : side->times.passes())
-    if (row.name == name) return &row;
-  return nullptr;
+  return side ? plan::find(side->times.passes(), name) : nullptr;
 }
 
 // Passes of A in their order, then passes that only B has. A pass of both sides has one row.

@@ -35,23 +35,12 @@ Json PinnedPixel::json() const {
   return lab::toJson(*trail_);
 }
 
-// Shortest texts that are read back as the same 32-bit floats.
-static std::string numbersText(const std::vector<double>& values) {
-  std::string text;
-  for (double value : values) text += fmt::format("{}{}", text.empty() ? "" : "  ", float(value));
-  return text;
-}
-
-static std::string valuesText(const lab::TrailRow& row) {
-  if (!row.integers.empty()) return fmt::format("{}", fmt::join(row.integers, "  "));
-  return row.values.empty() ? "-" : numbersText(row.values);
-}
-
 std::vector<TrailLine> PinnedPixel::lines() const {
+  using lab::numbersText;
   std::vector<TrailLine> lines;
   if (!trail_) return lines;
   for (const lab::TrailRow& row : trail_->rows)
-    lines.push_back({false, row.node + "." + row.port, valuesText(row), row.doc,
+    lines.push_back({false, row.node + "." + row.port, lab::valuesText(row), row.doc,
                      fmt::format("{}, {}x{}, texel {}, {}", row.format, row.width, row.height, row.x, row.y)});
   for (const lab::TrailHit& hit : trail_->hits) {
     lines.push_back(

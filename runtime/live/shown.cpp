@@ -71,7 +71,7 @@ std::optional<PixelValue> Shown::imageAt(const Side& side, int x, int y) const {
   const lab::Shot& of = side.session->shot();
   int divide = lab::divideOf(side.session->plan(), side.drawn_port);
   PixelValue value{letterOf(&side == b_), side.drawn_port, read->format};
-  value.integers = !read->uints.values.empty();
+  value.integers = read->isUint();
   if (value.integers) takeTexel(value, read->uints, divide, of, x, y);
   else takeTexel(value, read->floats, divide, of, x, y);
   if (value.values.empty()) return {};

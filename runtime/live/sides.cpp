@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "base/log.h"
 #include "live/widgets.h"
 #include "math/bounds.h"
@@ -11,10 +12,6 @@
 #include "scene/clips.h"
 
 namespace strobe::live {
-
-static bool contains(const std::vector<std::string>& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
 
 const graph::ReadImage* Side::image() const {
   for (const auto* images : {&frame.outputs, &frame.taps}) {

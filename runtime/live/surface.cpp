@@ -20,7 +20,7 @@ const std::vector<VkDescriptorSetLayoutBinding> kBindings = {
     {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
 
 gpu::Spirv compiled(const Home& home, const char* file, shader::ShaderStage stage) {
-  return shader::compile(home, {"#version 460\n", home.at(Path("shaders/live") / file), ""}, stage).spirv;
+  return shader::compile(home, {"#version 460\n", home.at(Path("shaders/live") / file), ""}, stage);
 }
 
 std::vector<uint8_t> toRgba8(const image::Image& display) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/lists.h"
 #include "base/log.h"
 #include "image/draw.h"
 #include "image/metrics.h"
@@ -23,7 +24,8 @@ std::optional<double> SweepPoint::median() const {
   return strobe::median(ms);
 }
 
-lab::Shot withValue(lab::Shot shot, const std::string& name, const plan::Value& value) {
+// Returns the shot with another value of the control `name`.
+static lab::Shot withValue(lab::Shot shot, const std::string& name, const plan::Value& value) {
   for (const lab::ShotOption& option : lab::shotOptions())
     for (const lab::ShotField& field : option.fields)
       if (field.isValue() && field.declaration.name == name) return field.set(shot, value), shot;
@@ -57,9 +59,7 @@ Sweep::Sweep(lab::Workbench& bench, const lab::Shot& shot, std::vector<SweepAxis
   std::string key = GatheredTruth::keyOf(shown);
   for (const SweepPoint& point : points_) {
     bytes += size_t(point.shot.width) * size_t(point.shot.height) * 3 * sizeof(float);
-    std::string own = GatheredTruth::keyOf(point.shot);
-    bool known = std::find(own_keys_.begin(), own_keys_.end(), own) != own_keys_.end();
-    if (!known) own_keys_.push_back(own);
+    addOnce(own_keys_, GatheredTruth::keyOf(point.shot));
   }
   if (own_keys_.size() == 1 && own_keys_.front() == key) own_keys_.clear();
   if (bytes > kMostBytes)

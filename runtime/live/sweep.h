@@ -84,9 +84,6 @@ class Sweep {
   bool own_begun_ = false;
 };
 
-// Returns the shot with another value of the control `name`.
-lab::Shot withValue(lab::Shot shot, const std::string& name, const plan::Value& value);
-
 // Picture reduced by box filtering until no side is longer than a thumbnail's; never enlarged.
 image::Image reduced(const image::Image& linear);
 

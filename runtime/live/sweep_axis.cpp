@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "live/widgets.h"
 
 namespace strobe::live {
@@ -81,8 +82,7 @@ static void checkRange(const plan::ParamDesc& declaration, const SweepRange& ran
 }
 
 static void add(SweepAxis& axis, const plan::Value& value) {
-  plan::Value checked = plan::checkValue(axis.declaration, value, {});
-  if (std::find(axis.values.begin(), axis.values.end(), checked) == axis.values.end()) axis.values.push_back(checked);
+  addOnce(axis.values, plan::checkValue(axis.declaration, value, {}));
 }
 
 SweepAxis axisOf(const plan::ParamDesc& declaration, const SweepRange& range, int most) {
@@ -111,8 +111,7 @@ SweepAxis axisOf(const lab::Control& control, int most) {
   SweepAxis axis{declaration, false, {}};
   for (const std::string& choice : declaration.choices)
     if (int(axis.values.size()) < most) axis.values.push_back(choice);
-  bool has_now = std::find(axis.values.begin(), axis.values.end(), control.value) != axis.values.end();
-  if (!has_now) axis.values.back() = control.value;
+  if (!contains(axis.values, control.value)) axis.values.back() = control.value;
   return axis;
 }
 

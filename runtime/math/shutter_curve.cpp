@@ -32,9 +32,8 @@ static std::vector<std::string> split(const std::string& text, char between) {
 }
 
 static double numberIn(const std::string& text, const std::string& part) {
-  auto number = numbersIn<double, 1>(part, ',');
-  if (!number || !std::isfinite(number->front())) refuse(text, fmt::format("'{}' is not a number", part));
-  return number->front();
+  if (std::optional<double> number = finiteNumber(part)) return *number;
+  refuse(text, fmt::format("'{}' is not a number", part));
 }
 
 // Rounds a time to a multiple of 2^-40, so that the distance from either end is exact.

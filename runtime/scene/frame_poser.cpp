@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/lists.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
@@ -35,8 +36,7 @@ FramePoser::FramePoser(const Scene& scene, int camera_node, const std::string& a
 
 void FramePoser::NodeTime::add(const NodeTime& other) {
   cuts.insert(cuts.end(), other.cuts.begin(), other.cuts.end());
-  for (const Animation* clip : other.clips)
-    if (std::find(clips.begin(), clips.end(), clip) == clips.end()) clips.push_back(clip);
+  for (const Animation* clip : other.clips) addOnce(clips, clip);
 }
 
 // Adds the clips that have cuts to the nodes that they drive, directly or by a camera, a light or weights.

@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "base/lists.h"
 #include "scene/motion.h"
 #include "scene/textures.h"
 
@@ -245,8 +246,7 @@ static Texture readImage(SceneFields& fields, SceneFiles& files) {
 
 Texture readTexture(const Json& json, const Place& place, Problems& problems, const Painter& paint, SceneFiles& files) {
   std::string type = typeOf(json);
-  const std::vector<std::string>& names = patternNames();
-  bool pattern = std::find(names.begin(), names.end(), type) != names.end();
+  const bool pattern = contains(patternNames(), type);
   SceneFields fields(json, type.empty() ? "texture" : "texture " + type, place, problems);
   if (!isKind(json, "texture") || !(pattern || type == "texels" || type == "image")) {
     fields.problem("is not a texture; write scene.texture.stripes { ... } or another texture of strobe.scene");

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 // `--move`, `--spin` and `--cuts` (motion.h).
-#include <charconv>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
 
-static std::optional<double> numberIn(std::string_view text) {
+// Number with spaces around it and an optional '+' before it.
+static std::optional<double> spacedNumber(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  double value = 0;
-  auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  bool whole = failure == std::errc() && end == text.data() + text.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  return finiteNumber(text);
 }
 
 // Numbers between commas; nothing if a part is not a number.
@@ -22,7 +20,7 @@ static std::optional<std::vector<double>> numbersOf(std::string_view text) {
   std::vector<double> numbers;
   for (size_t at = 0; at <= text.size();) {
     size_t comma = std::min(text.find(',', at), text.size());
-    std::optional<double> number = numberIn(text.substr(at, comma - at));
+    std::optional<double> number = spacedNumber(text.substr(at, comma - at));
     if (!number) return std::nullopt;
     numbers.push_back(*number);
     at = comma + 1;

@@ -357,12 +357,7 @@ struct Sandbox::Callbacks::Native {
     const char* folder = luaL_checkstring(lua, 1);
     Sandbox& sandbox = self(lua);
     if (!sandbox.guarded([&] { sandbox.list(folder); })) return lua_error(pushText(lua, sandbox.text_));
-    lua_newtable(lua);
-    for (size_t i = 0; i < sandbox.names_.size(); ++i) {
-      lua_pushlstring(lua, sandbox.names_[i].data(), sandbox.names_[i].size());
-      lua_rawseti(lua, -2, lua_Integer(i) + 1);
-    }
-    return 1;
+    return pushNames(lua, sandbox.names_);
   }
 
   static lua_State* pushText(lua_State* lua, const std::string& text) {
@@ -373,10 +368,7 @@ struct Sandbox::Callbacks::Native {
   // Reads a file and pushes it as a function.
   static void loadFile(lua_State* lua, const Path& file, const std::string& shown) {
     Sandbox& sandbox = self(lua);
-    if (!sandbox.guarded([&] { sandbox.read(file, shown); })) {
-      lua_pushlstring(lua, sandbox.text_.data(), sandbox.text_.size());
-      lua_error(lua);
-    }
+    if (!sandbox.guarded([&] { sandbox.read(file, shown); })) lua_error(pushText(lua, sandbox.text_));
     loadChunk(lua);
   }
 

@@ -6,14 +6,16 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <algorithm>
+#include <cstring>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "base/hash.h"
+#include "base/kept_files.h"
 #include "base/version.h"
 #include "shader/sources.h"
-#include "shader/spirv_cache.h"
 
 namespace strobe::shader {
 
@@ -59,9 +61,6 @@ class Includer : public glslang::TShader::Includer {
   IncludeResult* includeSystem(const char* name, const char* includer, size_t) override { return load(name, includer); }
   void releaseInclude(IncludeResult* result) override { delete result; }
 
-  // Indices in the texts of the included files, in order of first use.
-  const std::vector<uint32_t>& included() const { return included_; }
-
  private:
   IncludeResult* load(const char* name, const char* includer) {
     // glslang passes the names of included files, but not the name of the first file.
@@ -70,13 +69,10 @@ class Includer : public glslang::TShader::Includer {
     Path file = sources_.included(name, is_file ? Path(includer) : texts_.front().file);
     auto found = std::find_if(texts_.begin(), texts_.end(), [&](const auto& one) { return one.file == file; });
     if (file.empty() || found == texts_.end()) return nullptr;
-    const uint32_t number = uint32_t(found - texts_.begin());
-    if (std::find(included_.begin(), included_.end(), number) == included_.end()) included_.push_back(number);
     return new IncludeResult(file.string(), found->text->data(), found->text->size(), nullptr);
   }
   Sources& sources_;
   const std::vector<Texts::One>& texts_;
-  std::vector<uint32_t> included_;
 };
 
 EShLanguage language(ShaderStage stage) {
@@ -180,7 +176,7 @@ constexpr auto kRules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgC
 // include.
 static std::string keyOf(const ShaderSource& source, ShaderStage stage, const Texts& texts) {
   const glslang::Version compiler = glslang::GetVersion();
-  std::string key = fmt::format("{} {}.{}.{}{} {} ", kVersion, compiler.major, compiler.minor, compiler.patch,
+  std::string key = fmt::format("SPIR-V {} {}.{}.{}{} {} ", kVersion, compiler.major, compiler.minor, compiler.patch,
                                 compiler.flavor, glslang::GetSpirvGeneratorVersion());
   for (int rule : {kDialect, int(kClient), int(kTarget), int(kOptimizes), int(kRules), int(stage)})
     key += fmt::format("{} ", rule);
@@ -192,8 +188,8 @@ static std::string keyOf(const ShaderSource& source, ShaderStage stage, const Te
   return hashText(key);
 }
 
-static KeptCode compileAnew(const Home& home, const ShaderSource& source, ShaderStage stage, Sources& sources,
-                            const Texts& texts, Output output) {
+static std::vector<uint32_t> compileAnew(const Home& home, const ShaderSource& source, ShaderStage stage,
+                                         Sources& sources, const Texts& texts, Output output) {
   startOnce();
   bool calls_run = source.epilogue.find("run(") != std::string::npos;
   if (int line = calls_run ? lineOfMain(*texts.all.front().text) : 0)
@@ -213,31 +209,34 @@ static KeptCode compileAnew(const Home& home, const ShaderSource& source, Shader
   glslang::TProgram program;
   program.addShader(&shader);
   if (!program.link(kRules)) throw Error(readable(home, program.getInfoLog(), source.file));
-  KeptCode code{{}, includer.included()};
-  if (output == Output::None) return code;
+  std::vector<uint32_t> spirv;
+  if (output == Output::None) return spirv;
   glslang::SpvOptions options;
   options.disableOptimizer = !kOptimizes;
-  glslang::GlslangToSpv(*program.getIntermediate(language(stage)), code.spirv, &options);
-  return code;
+  glslang::GlslangToSpv(*program.getIntermediate(language(stage)), spirv, &options);
+  return spirv;
 }
 
-Compiled compile(const Home& home, const ShaderSource& source, ShaderStage stage, Output output, Sources* shared) {
+// The cache has an empty file for a shader that was only checked.
+std::vector<uint32_t> compile(const Home& home, const ShaderSource& source, ShaderStage stage, Output output,
+                              Sources* shared) {
   Sources own(home);
   Sources& sources = shared ? *shared : own;
   Texts texts;
   addText(sources, source.file, texts);
   addIncludes(sources, source.preamble, source.file, texts);
-  const SpirvCache cache(home.cache());
+  const KeptFiles cache(home.cache().empty() ? Path() : home.cache() / "spirv");
   const std::string key = keyOf(source, stage, texts);
-  std::optional<KeptCode> code = cache.find(key);
-  if (!code || (code->spirv.empty() && output == Output::Spirv)) {
-    code = compileAnew(home, source, stage, sources, texts, output);
-    cache.keep(key, *code);
+  const std::optional<std::string> kept = cache.find(key);
+  std::vector<uint32_t> spirv;
+  if (kept && (!kept->empty() || output == Output::None)) {
+    spirv.resize(kept->size() / sizeof(uint32_t));
+    std::memcpy(spirv.data(), kept->data(), spirv.size() * sizeof(uint32_t));
+  } else {
+    spirv = compileAnew(home, source, stage, sources, texts, output);
+    cache.keep(key, {reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(uint32_t)});
   }
-  Compiled result{std::move(code->spirv), {source.file}};
-  for (uint32_t number : code->files)
-    if (number > 0 && number < texts.all.size()) result.files.push_back(texts.all[number].file);
-  return result;
+  return spirv;
 }
 
 std::vector<uint32_t> compileText(const std::string& glsl, ShaderStage stage) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiler from GLSL to SPIR-V in this process (glslang). Returns the files of a shader, and reports errors at the
-// user's lines.
+// Compiler from GLSL to SPIR-V in this process (glslang), with a cache on disk. Reports errors at the user's lines.
 #pragma once
 
 #include <cstdint>
@@ -27,17 +26,11 @@ struct ShaderSource {
   std::string epilogue;  // generated code after the file
 };
 
-// Output of the compilation of one shader: its SPIR-V and the source files that were read.
-struct Compiled {
-  std::vector<uint32_t> spirv;
-  std::vector<Path> files;  // `file` and all included files, in order of first use
-};
-
 // Compiles a shader. Throws `Error` with a line "file:line: message" for each error of the compiler.
 // `#include "a/b.glsl"` is looked up in the folder of the including file, then in the shaders folder.
 // `sources` (may be null) keeps the files for later calls.
-Compiled compile(const Home& home, const ShaderSource& source, ShaderStage stage, Output output = Output::Spirv,
-                 Sources* sources = nullptr);
+std::vector<uint32_t> compile(const Home& home, const ShaderSource& source, ShaderStage stage,
+                              Output output = Output::Spirv, Sources* sources = nullptr);
 
 // Compiles GLSL of the program itself, without includes. Throws `Error`.
 std::vector<uint32_t> compileText(const std::string& glsl, ShaderStage stage);

@@ -325,8 +325,8 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
   return text;
 }
 
-Compiled compilePass(const Home& home, const Interface& in, const Path& file, ShaderStage stage, Output output,
-                     Sources* sources) {
+std::vector<uint32_t> compilePass(const Home& home, const Interface& in, const Path& file, ShaderStage stage,
+                                  Output output, Sources* sources) {
   try {
     return compile(home, {preamble(in, stage), file, epilogue(in, stage)}, stage, output, sources);
   } catch (const Error& error) {

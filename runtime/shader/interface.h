@@ -91,7 +91,7 @@ std::vector<std::string> nameProblems(const Home& home, const Interface& interfa
                                       const std::unordered_set<std::string>& used);
 
 // Compiles `file` as `stage` of the pass. Errors about unknown names list the similar names that the pass declares.
-Compiled compilePass(const Home& home, const Interface& interface, const Path& file, ShaderStage stage,
-                     Output output = Output::Spirv, Sources* sources = nullptr);
+std::vector<uint32_t> compilePass(const Home& home, const Interface& interface, const Path& file, ShaderStage stage,
+                                  Output output = Output::Spirv, Sources* sources = nullptr);
 
 }  // namespace strobe::shader

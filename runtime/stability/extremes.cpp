@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/json.h"
+#include "base/lists.h"
 #include "page/table.h"
 
 namespace strobe::stability {
@@ -129,8 +130,7 @@ static page::Table countsOf(const std::vector<ExtremeOutcome>& outcomes) {
     auto clause = std::find_if(clauses.begin(), clauses.end(), is_clause);
     if (clause == clauses.end()) clause = clauses.insert(clauses.end(), {outcome.extreme->clause, {}});
     for (Count* count : {&*clause, &all}) {
-      bool known = std::find(count->cases.begin(), count->cases.end(), outcome.extreme->name) != count->cases.end();
-      if (!known) count->cases.push_back(outcome.extreme->name);
+      addOnce(count->cases, outcome.extreme->name);
       ++count->checks;
       count->failed += !outcome.failures.empty();
     }

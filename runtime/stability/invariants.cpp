@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "image/metrics.h"
 #include "image/regions.h"
+#include "plan/named.h"
 #include "stability/box_filter.h"
 #include "stability/pictures.h"
 
@@ -23,8 +24,7 @@ lab::Shot CheckedCase::sharp(const lab::Shot& shot) const {
 }
 
 lab::Shot CheckedCase::truth(const lab::Shot& shot, int samples) const {
-  auto pipeline = batch.evaluate(batch.nameOf(plan::PipelineDesc::Kind::Truth), {}).pipeline;
-  if (!pipeline) throw lab::Refusal("the pipeline of kind \"truth\" cannot be evaluated");
+  auto pipeline = batch.evaluate(batch.nameOf(plan::PipelineDesc::Kind::Truth), {});
   return with(by(shot, pipeline->name), *pipeline, Role::SampleCount, samples);
 }
 
@@ -57,9 +57,7 @@ lab::Shot resized(const CheckedCase& subject, const lab::Shot& shot, int width, 
 }
 
 std::shared_ptr<const plan::PipelineDesc> evaluated(const CheckedCase& subject, const lab::Shot& shot) {
-  lab::Evaluated now = subject.batch.evaluate(shot.pipeline, shot.sets);
-  if (!now.pipeline) throw lab::Refusal(now.refusal);
-  return now.pipeline;
+  return subject.batch.evaluate(shot.pipeline, shot.sets);
 }
 
 int roundedUp(int value, int step) { return (value + step - 1) / step * step; }
@@ -360,9 +358,9 @@ Finding unmasked(const CheckedCase& subject) {
       shot = with(shot, name, value);
     }
     for (const auto& [name, value] : equal.set) against = against || isSet(shot, name, value);
-    if (against || !subject.batch.evaluate(shot.pipeline, shot.sets).pipeline) continue;
+    if (against || !subject.batch.accepts(shot.pipeline, shot.sets)) continue;
     lab::Shot other = inCommon(subject, shot, equal.pipeline, equal.set);
-    if (!subject.batch.evaluate(other.pipeline, other.sets).pipeline) continue;
+    if (!subject.batch.accepts(other.pipeline, other.sets)) continue;
     Finding finding = same(subject, shot, other, 0);
     worst = worst.applies ? worse(worst, finding) : finding;
   }
@@ -445,8 +443,7 @@ const std::vector<Invariant>& invariants() {
 }
 
 const Invariant& invariantNamed(const std::string& name) {
-  for (const Invariant& one : invariants())
-    if (one.name == name) return one;
+  if (const Invariant* known = plan::find(invariants(), name)) return *known;
   throw Error(fmt::format("unknown invariant '{}'{}; known: {}", name, didYouMean(name, plan::invariantNames()),
                           fmt::join(plan::invariantNames(), ", ")),
               {}, 2);

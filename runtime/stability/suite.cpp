@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/lists.h"
 #include "page/table.h"
 #include "stability/shrink.h"
 
@@ -16,10 +17,8 @@ namespace {
 
 std::vector<const Invariant*> wanted(const Options& options) {
   std::vector<const Invariant*> list;
-  for (const Invariant& one : invariants()) {
-    bool named = std::find(options.invariants.begin(), options.invariants.end(), one.name) != options.invariants.end();
-    if (options.invariants.empty() || named) list.push_back(&one);
-  }
+  for (const Invariant& one : invariants())
+    if (options.invariants.empty() || contains(options.invariants, one.name)) list.push_back(&one);
   for (const std::string& name : options.invariants) invariantNamed(name);
   return list;
 }
@@ -52,7 +51,7 @@ class Suite {
  private:
   void checkCase(const Variant& variant, int index) {
     lab::Shot shot = generated(variant, options_.seed, index + caseOf(variant));
-    const lab::Evaluated& evaluated = batch_.evaluate(shot.pipeline, shot.sets);
+    const bool accepted = batch_.accepts(shot.pipeline, shot.sets);
     bool any = false;
     for (const Invariant* invariant : invariants_) {
       bool taken =
@@ -60,25 +59,22 @@ class Suite {
       if (!taken) continue;
       any = true;
       Count& count = report_.variants.back().second[invariant->name];
-      if (!evaluated.pipeline) ++count.refused;
-      else checkOne(variant, *invariant, shot, *evaluated.pipeline, count);
+      if (accepted) checkOne(variant, *invariant, shot, count);
+      else ++count.refused;
     }
     if (!any) return;
     ++report_.drawn;
-    if (evaluated.pipeline) report_.blurred += blurs(batch_, shot);
+    if (accepted) report_.blurred += blurs(batch_, shot);
   }
 
   // Index of a variant's first scene: variants take turns with the scenes.
   static int caseOf(const Variant& variant) { return Random(0, variant.name()).whole(0, 7); }
 
   Finding findingOf(const Invariant& invariant, const Variant& variant, const lab::Shot& shot) {
-    const lab::Evaluated& evaluated = batch_.evaluate(shot.pipeline, shot.sets);
-    if (!evaluated.pipeline) throw lab::Refusal(evaluated.refusal);
-    return invariant.check({batch_, *evaluated.pipeline, variant.isBase(), shot});
+    return invariant.check({batch_, *batch_.evaluate(shot.pipeline, shot.sets), variant.isBase(), shot});
   }
 
-  void checkOne(const Variant& variant, const Invariant& invariant, const lab::Shot& shot,
-                const plan::PipelineDesc& pipeline, Count& count) {
+  void checkOne(const Variant& variant, const Invariant& invariant, const lab::Shot& shot, Count& count) {
     Finding finding;
     try {
       finding = findingOf(invariant, variant, shot);
@@ -92,7 +88,7 @@ class Suite {
       return;
     }
     if (!finding.applies) return;
-    std::vector<Declared> declared = declaredBreaks(pipeline, invariant.name);
+    std::vector<Declared> declared = declaredBreaks(*batch_.evaluate(shot.pipeline, shot.sets), invariant.name);
     for (const Declared& one : declared) {
       Declaration& known = report_.declarations[one.key];
       known.where = one.where;

@@ -90,10 +90,9 @@ class Walker {
   Walker(lab::Batch& batch, const std::string& pipeline) : batch_(batch), pipeline_(pipeline) {}
 
   VariantList run() {
-    lab::Evaluated plain = batch_.evaluate(pipeline_, {});
-    if (!plain.pipeline) throw Error(plain.refusal);
     std::vector<script::Settings> bases;
-    for (const auto& preset : plain.pipeline->presets) bases.push_back({{plan::kPresetSetting, preset.name}});
+    const std::shared_ptr<const PipelineDesc> plain = batch_.evaluate(pipeline_, {});
+    for (const auto& preset : plain->presets) bases.push_back({{plan::kPresetSetting, preset.name}});
     if (bases.empty()) bases.push_back({});
     for (const script::Settings& base : bases) walkBase(base);
     return std::move(walk_);
@@ -125,18 +124,19 @@ class Walker {
 
   // Adds the variant, unless it is refused or its plan is known. Returns the pipeline; null if refused.
   std::shared_ptr<const PipelineDesc> take(const script::Settings& sets) {
-    lab::Evaluated evaluated = batch_.evaluate(pipeline_, sets);
-    Variant variant{pipeline_, sets, evaluated.pipeline};
-    if (!evaluated.pipeline) {
-      walk_.refused.push_back({variant.name(), evaluated.refusal});
+    Variant variant{pipeline_, sets, nullptr};
+    try {
+      variant.description = batch_.evaluate(pipeline_, sets);
+    } catch (const lab::Refusal& refusal) {
+      walk_.refused.push_back({variant.name(), refusal.what()});
       return nullptr;
     }
     lab::Shot shot;
     shot.width = shot.height = 64;
-    bool is_new = seen_.insert(lab::identityOf(lab::planOf(shot, *evaluated.pipeline, graph::Backend::Query))).second;
+    bool is_new = seen_.insert(lab::identityOf(lab::planOf(shot, *variant.description, graph::Backend::Query))).second;
     if (is_new) walk_.variants.push_back(variant);
     else ++walk_.same;
-    return evaluated.pipeline;
+    return variant.description;
   }
 
   lab::Batch& batch_;

@@ -114,7 +114,7 @@ std::shared_ptr<const lab::Picture> PointRenderer::drawnTruth(const lab::Shot& f
   std::shared_ptr<const lab::Picture> picture = drawn(shot, cost);
   const double required = experiment_.truth_error > 0 ? experiment_.truth_error : kInfinity;
   for (double error; (error = lab::sigmaOf(*picture, {})) > required; picture = drawn(shot, 0)) {
-    std::shared_ptr<const plan::PipelineDesc> pipeline = batch_.evaluate(shot.pipeline, shot.sets).pipeline;
+    std::shared_ptr<const plan::PipelineDesc> pipeline = batch_.evaluate(shot.pipeline, shot.sets);
     const plan::ParamDesc* samples = plan::paramOf(*pipeline, plan::Role::SampleCount);
     if (!samples) throw Error("has no parameter that is a number of samples", {shot.pipeline});
     int64_t now = 0;

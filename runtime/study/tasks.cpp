@@ -138,10 +138,9 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
 
 void complete(const Experiment& experiment, const TaskGroup& group, Task& task, lab::Batch& batch) {
   try {
-    lab::Evaluated evaluated = batch.evaluate(task.shot.pipeline, task.shot.sets);
-    if (!evaluated.pipeline) throw lab::Refusal(evaluated.refusal);
-    bool is_truth = evaluated.pipeline->kind == plan::PipelineDesc::Kind::Truth;
-    int cost = loopCost(*evaluated.pipeline) + (is_truth ? 0 : kFrameCost);
+    std::shared_ptr<const plan::PipelineDesc> pipeline = batch.evaluate(task.shot.pipeline, task.shot.sets);
+    bool is_truth = pipeline->kind == plan::PipelineDesc::Kind::Truth;
+    int cost = loopCost(*pipeline) + (is_truth ? 0 : kFrameCost);
     task.cost = cost * int(sequenceOf(*group.studied, task.shot).size());
     for (const std::string& name : task.measures) {
       const Measure& measure = measureNamed(name);

@@ -103,17 +103,19 @@ void Tuner::addShots(const lab::Shot& filled) {
     studied.name = fmt::format("level {}", i + 1);
     studied.title =
         fmt::format("{}x{}, truth of {} samples", studied.shot.width, studied.shot.height, level.truth_samples);
-    std::shared_ptr<const plan::PipelineDesc> truth = batch_.evaluate(experiment_.truth.pipeline, {}).pipeline;
-    if (truth) lab::putRole(studied.truth, *truth, plan::Role::SampleCount, level.truth_samples);
+    std::shared_ptr<const plan::PipelineDesc> truth = batch_.evaluate(experiment_.truth.pipeline, {});
+    lab::putRole(studied.truth, *truth, plan::Role::SampleCount, level.truth_samples);
     experiment_.shots.push_back(std::move(studied));
   }
 }
 
 void Tuner::prepare() {
   lab::Shot filled = batch_.filled(request_.shot);
-  lab::Evaluated evaluated = batch_.evaluate(filled.pipeline, filled.sets);
-  if (!evaluated.pipeline) throw Error(evaluated.refusal, {}, 2);
-  pipeline_ = evaluated.pipeline;
+  try {
+    pipeline_ = batch_.evaluate(filled.pipeline, filled.sets);
+  } catch (const lab::Refusal& refusal) {
+    throw Error(refusal.message(), {}, 2);
+  }
   space_ = spaceOf(*pipeline_, capturedNodes(batch_, filled), request_);
   script::Settings own;
   std::remove_copy_if(filled.sets.begin(), filled.sets.end(), std::back_inserter(own), lab::isOfScene);
@@ -320,7 +322,7 @@ void Tuner::choose(const Search& search, Tuned& tuned) {
   }
   tuned.chosen = measured;
   script::Settings sets = joined(experiment_.arms[0].sets, measured.changed);
-  std::shared_ptr<const plan::PipelineDesc> chosen = batch_.evaluate(request_.shot.pipeline, sets).pipeline;
+  std::shared_ptr<const plan::PipelineDesc> chosen = batch_.evaluate(request_.shot.pipeline, sets);
   for (const auto& [name, value] : chosen->values)
     if (value != plan::paramNamed(*chosen, name)->default_value) tuned.values.emplace_back(name, value);
 }

@@ -21,8 +21,8 @@ BatchJob job() {
 }
 
 // Bash parses the script without running it.
-void expectBash(const std::string& script) {
-  ProgramEnd end = run({.arguments = {"bash", "-n"}, .input = script});
+void expectBash(std::string script) {
+  ProgramEnd end = run({.arguments = {"bash", "-n"}, .input = [&] { return std::exchange(script, {}); }});
   EXPECT_TRUE(end.succeeded()) << end.errors;
 }
 

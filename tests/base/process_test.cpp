@@ -16,48 +16,55 @@ namespace process_test {
 
 Program shell(const std::string& script) { return {.arguments = {"sh", "-c", script}}; }
 
+// Input of one piece, for one run.
+std::function<std::string()> once(std::string text) {
+  return [text = std::move(text)]() mutable { return std::exchange(text, {}); };
+}
+
 TEST(Process, ReadsItsInputAndKeepsItsStreamsApart) {
   Program program = shell("read line; echo \"got $line\"; echo oops >&2; exit 3");
-  program.input = "words\n";
+  program.input = once("words\n");
   ProgramEnd end = run(program);
   EXPECT_EQ(end.output, "got words\n");
   EXPECT_EQ(end.errors, "oops\n");
   EXPECT_EQ(end.code(), 3);
   EXPECT_FALSE(end.succeeded());
   program.errors = Program::Errors::with_output;
+  program.input = once("words\n");
   EXPECT_EQ(run(program).output, "got words\noops\n");
 }
 
 // More than a pipe holds, in both directions and on both streams.
 TEST(Process, LargeInputAndOutputPass) {
   Program program = shell("tee /dev/stderr");
-  program.input.assign(3 << 20, 'x');
+  const std::string text(3 << 20, 'x');
+  program.input = once(text);
   ProgramEnd end = run(program);
-  EXPECT_TRUE(end.output == program.input);
-  EXPECT_TRUE(end.errors == program.input);
+  EXPECT_TRUE(end.output == text);
+  EXPECT_TRUE(end.errors == text);
   program.arguments = {"true"};  // reads nothing
+  program.input = once(text);
   EXPECT_TRUE(run(program).succeeded());
 }
 
 // Input larger than memory is supplied in pieces.
 TEST(Process, InputIsSuppliedInPieces) {
   Program program = shell("cat");
-  program.input = "0";
   int piece = 0;
-  program.more_input = [&] { return ++piece <= 300 ? std::string(10000, char('a' + piece % 26)) : std::string(); };
+  program.input = [&] { return ++piece <= 300 ? std::string(10000, char('a' + piece % 26)) : std::string(); };
   ProgramEnd end = run(program);
-  EXPECT_EQ(end.output.size(), 3000001u);
+  EXPECT_EQ(end.output.size(), 3000000u);
   EXPECT_EQ(end.output.back(), 'a' + 300 % 26);
   EXPECT_TRUE(end.succeeded());
 
   program = shell("head -c 3; exec <&-; exit 4");  // and stops reading
-  program.more_input = [] { return std::string(1 << 20, 'x'); };
+  program.input = [] { return std::string(1 << 20, 'x'); };
   end = run(program);
   EXPECT_EQ(end.output, "xxx");
   EXPECT_EQ(end.code(), 4);
 
   program = shell("cat; sleep 100");
-  program.more_input = []() -> std::string { throw Error("no more"); };
+  program.input = []() -> std::string { throw Error("no more"); };
   double started_s = clockSeconds();
   EXPECT_THROW(run(program), Error);
   EXPECT_LT(clockSeconds() - started_s, 50);

@@ -89,8 +89,7 @@ class StoredNumbers : public RenderTest {
     const testing::TemporaryFolder folder;
     std::ofstream(folder / "stored.glsl") << main;
     auto spirv =
-        shader::compile(bench().home(), {kPreamble + given, folder / "stored.glsl", ""}, shader::ShaderStage::Compute)
-            .spirv;
+        shader::compile(bench().home(), {kPreamble + given, folder / "stored.glsl", ""}, shader::ShaderStage::Compute);
 
     gpu::Buffer io(device, "io", padded.size() * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Buffer::Memory::Host);
     gpu::Buffer more(device, "more", 16, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Buffer::Memory::Host);

@@ -23,10 +23,10 @@ bool hasValidator() {
 // The validator's errors for each file, found by one process.
 static std::map<std::string, std::vector<std::string>> errorsIn(const std::vector<Path>& files) {
   const std::string script = sourceFolder() / "tests/scene/gltf_validator.js";
-  const ProgramEnd end =
-      run({.arguments = {"node", script},
-           .environment = {"NODE_PATH=" + modules()},
-           .input = fmt::format("{}", fmt::join(std::vector<std::string>(files.begin(), files.end()), "\n"))});
+  std::string names = fmt::format("{}", fmt::join(std::vector<std::string>(files.begin(), files.end()), "\n"));
+  const ProgramEnd end = run({.arguments = {"node", script}, .environment = {"NODE_PATH=" + modules()}, .input = [&] {
+                                return std::exchange(names, {});
+                              }});
   EXPECT_TRUE(end.succeeded()) << end.errors;
   return end.succeeded() ? Json::parse(end.output).get<std::map<std::string, std::vector<std::string>>>()
                          : std::map<std::string, std::vector<std::string>>();

@@ -2,6 +2,7 @@
 // A batch draws the same pictures as single calls, and does nothing twice.
 #include "lab/batch.h"
 
+#include "common/refusal.h"
 #include "lab/record.h"
 #include "math/statistics.h"
 #include "session/home.h"
@@ -110,7 +111,9 @@ TEST_F(BatchTest, RefusalsDifferFromErrors) {
   Shot shot = smallShot("mcguire2012");
   shot.sets.push_back({"samples", 0});
   EXPECT_THROW(batch.picture(shot), lab::Refusal);
-  EXPECT_NE(batch.evaluate("mcguire2012", {{"sampels", 3}}).refusal.find("did you mean 'samples'?"), std::string::npos);
+  const std::string refusal = testing::refusalOf([&] { batch.evaluate("mcguire2012", {{"sampels", 3}}); });
+  EXPECT_NE(refusal.find("did you mean 'samples'?"), std::string::npos);
+  EXPECT_FALSE(batch.accepts("mcguire2012", {{"sampels", 3}}));
   Shot missing = smallShot("mcguire2012");
   missing.scene = "nowhere";
   try {

@@ -26,7 +26,8 @@ class InFlightTest : public SessionTest {
   static std::unique_ptr<Drawing> drawingOf(lab::Workbench& bench, Shot& shot) {
     std::shared_ptr<const lab::Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
     std::shared_ptr<lab::HeldScene> scene = bench.scene(shot);
-    return std::make_unique<Drawing>(bench, scene, lab::plannedOf(bench, shot, evaluation->pipeline), evaluation);
+    return std::make_unique<Drawing>(bench, scene, lab::plannedOf(bench, shot, nullptr, evaluation->pipeline),
+                                     evaluation);
   }
 
   // Results of all frames in order, with as many under way as possible.
@@ -107,7 +108,7 @@ TEST_F(InFlightTest, HistoriesAndValuesFollowTheOrderOfFrames) {
   auto become = [&](double value) {
     shot.sets.push_back({"weight", value});
     auto evaluation = flying_.evaluate(shot.pipeline, shot.sets);
-    drawing->become(lab::plannedOf(flying_, shot, evaluation->pipeline), evaluation);
+    drawing->become(lab::plannedOf(flying_, shot, nullptr, evaluation->pipeline), evaluation);
   };
   drawing->begin(shot);
   drawing->begin(shot);
@@ -140,8 +141,8 @@ TEST_F(InFlightTest, AbandonedFramesAreDropped) {
   drawing->begin(other);
   auto evaluation = flying_.evaluate(shot.pipeline, shot.sets);
   std::vector<std::string> problems;
-  Drawing next(flying_, drawing->held(), lab::plannedOf(flying_, shot, evaluation->pipeline), evaluation, drawing.get(),
-               &problems);
+  Drawing next(flying_, drawing->held(), lab::plannedOf(flying_, shot, nullptr, evaluation->pipeline), evaluation,
+               drawing.get(), &problems);
   expectSame(next.draw(shot), alone, "of the next graph");
   next.begin(other);
   drawing.reset();

@@ -130,9 +130,9 @@ TEST_F(Shaders, CommentsAreNotUses) {
 TEST_F(Shaders, EveryReadFileIsReported) {
   write("part.glsl", "float part() { return 1.0; }\n");
   Path file = write("scale.glsl", std::string("#include \"part.glsl\"\n") + kGood);
-  Compiled compiled = compilePass(home(), interface_, file, ShaderStage::Compute);
-  EXPECT_NE(std::find(compiled.files.begin(), compiled.files.end(), folder_ / "part.glsl"), compiled.files.end());
-  EXPECT_EQ(compiled.files.front(), file);
+  std::vector<Path> files;
+  textWithIncludes(home(), file, &files);
+  EXPECT_EQ(files, (std::vector<Path>{file, folder_ / "part.glsl"}));
 }
 
 // A pass that reads the scene without deformed meshes: no declaration and no code for deformed vertices.
@@ -144,7 +144,7 @@ TEST_F(Shaders, FeaturesThatTheSceneLacksAreNotCompiled) {
     in.writes = {{"hit", "rgba32ui", true, false}};
     for (const char* fact : {"alpha", "blend", "one_sided", "shadows"}) in.facts.push_back({fact, true});
     in.facts.push_back({"deforms", bends});
-    return compilePass(home(), in, home().at("shaders/gbuffer/visibility.vert.glsl"), ShaderStage::Vertex).spirv;
+    return compilePass(home(), in, home().at("shaders/gbuffer/visibility.vert.glsl"), ShaderStage::Vertex);
   };
   auto names = [](const std::vector<uint32_t>& spirv) {
     return std::string(reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(uint32_t));

@@ -98,8 +98,7 @@ std::vector<std::string> ShaderCode::files() const {
 static std::string hashIn(const Home& home, const shader::Interface& interface, const plan::PassDesc& pass) {
   try {
     std::string hashes;
-    for (const shader::Compiled& stage : graph::compileStages(home, interface, pass))
-      hashes += graph::hashOfCode(stage.spirv);
+    for (const gpu::Spirv& stage : graph::compileStages(home, interface, pass)) hashes += graph::hashOfCode(stage);
     return hashText(hashes);
   } catch (const Error&) {
     return "";
