@@ -100,7 +100,8 @@ TEST_F(CaptureTest, PartsKeepImagesOfAnotherSize) {
   EXPECT_EQ(several.texts.at("strobe"), picture.record.dump());
   auto images = imagesOf(several, "picture.exr");
   for (const char* kind : {"outputs", "taps"})
-    for (const auto& [name, hash] : picture.record[kind].items()) EXPECT_EQ(Json(hashOf(images.at(name))), hash) << name;
+    for (const auto& [name, hash] : picture.record[kind].items())
+      EXPECT_EQ(Json(hashOf(images.at(name))), hash) << name;
   EXPECT_THROW(imagesOf(single, "single.exr"), Error);
 }
 

@@ -97,7 +97,8 @@ TEST(ScreenMotion, SlidingCardIsStraight) {
   EXPECT_EQ(textOf(boxes.path()), "");
   boxes.move(card, {2, 1, 0});
   EXPECT_EQ(textOf(boxes.path()), "");
-  EXPECT_EQ(boxes.motion().moving_rect.x1, int(std::ceil(kWidth / 2.0 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
+  EXPECT_EQ(boxes.motion().moving_rect.x1,
+            int(std::ceil(kWidth / 2.0 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
 }
 
 // The rectangle includes lines and curves fitted to uneven motion, and extrapolated positions.
