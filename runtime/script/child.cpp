@@ -92,7 +92,7 @@ void setLimit(int resource, rlim_t value) {
 // process end calls that do not return to Lua's loop (a long library call).
 void startLimits(const Json& request) {
   g_cpu_s = request.at("cpu_s").get<double>();
-#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer cannot run in a limited address space
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these need an unlimited address space
   setLimit(RLIMIT_AS, request.at("memory_mb").get<rlim_t>() << 21);
 #endif
   setLimit(RLIMIT_CPU, rlim_t(std::ceil(g_cpu_s + 0.25)));

@@ -326,7 +326,7 @@ size_t Experiment::points() const {
 size_t Experiment::truths() const {
   std::set<std::string> commands;
   for (const Group& group : groups) commands.insert(commandOf(shots[group.shot], truthShotOf(*this, group)));
-  return countTruths(std::move(commands));
+  return countTruths(commands);
 }
 
 std::vector<size_t> sharesOf(const Experiment& experiment, size_t of) {

@@ -391,7 +391,7 @@ size_t Results::truths(bool missing) const {
   std::set<std::string> commands;
   for (const PointGroup& group : groups)
     if (!missing || group.truth().isMissing()) commands.insert(group.truth().key.empty() ? "" : group.truth().command);
-  return countTruths(std::move(commands));
+  return countTruths(commands);
 }
 
 std::string Results::missingText() const {
