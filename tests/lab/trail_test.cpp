@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 
@@ -32,8 +32,7 @@ std::vector<const image::ExrChannel*> layerOf(const image::ExrFile& file, const 
 }
 
 bool sameBits(double value, float stored) {
-  float single = float(value);
-  return std::memcmp(&single, &stored, sizeof stored) == 0;
+  return std::bit_cast<uint32_t>(float(value)) == std::bit_cast<uint32_t>(stored);
 }
 
 // Compares each row with the file's layer at the pixel; returns the number of rows without a layer.

@@ -164,7 +164,10 @@ TEST(Views, TilesAreEnlargedByNearestLookup) {
   options.low = 0, options.high = 5;
   Image picture = shown(floats("r32f", tiles), "node.tiles", 8, 20, 13, options, nullptr);
   for (int y = 0; y < 13; ++y)
-    for (int x = 0; x < 20; ++x) EXPECT_EQ(at(picture, x, y), image::magma(float(x / 8 + 3 * (y / 8)) / 5));
+    for (int x = 0; x < 20; ++x) {
+      const int tile = x / 8 + 3 * (y / 8);
+      EXPECT_EQ(at(picture, x, y), image::magma(float(tile) / 5));
+    }
 }
 
 // Images of fixed size are scaled by an integer factor and centred: 16 x 1 in 100 x 20 is 96 x 6 at (2, 7).

@@ -108,7 +108,7 @@ TEST(Inspect, CountersAreShownOnRequest) {
   TemporaryFolder folder;
   std::string render = "render hybrid" + kShot + " -o " + (folder / "a.png");
   Outcome quiet = run(render), verbose = run(render + " --verbose");
-  EXPECT_EQ(quiet.err.find("."), std::string::npos) << quiet.err;
+  EXPECT_EQ(quiet.err.find('.'), std::string::npos) << quiet.err;
   Json counters = Json::parse(contentOf(folder / "a.record.json"))["counters"];
   for (const auto& [name, count] : counters.items())
     EXPECT_EQ(verbose.err.find(name + " " + count.dump()) != std::string::npos, count != 0) << name;

@@ -284,8 +284,8 @@ TEST_F(Project, ReadsOnlyItsRoots) {
   std::string shader = contentOf(path("shaders/smear.glsl"));
   write("shaders/smear.glsl", "#include \"lib/random.glsl\"\n" + shader);
   EXPECT_EQ(inside("check smear").exit_code, 0);
-  for (std::string name : {std::string("../../secret.glsl"), (folder_.path() / "secret.glsl").string(),
-                           std::string("../../../../../../../../etc/passwd"), std::string("/etc/passwd")}) {
+  for (const std::string& name : {std::string("../../secret.glsl"), (folder_.path() / "secret.glsl").string(),
+                                  std::string("../../../../../../../../etc/passwd"), std::string("/etc/passwd")}) {
     write("shaders/smear.glsl", "#include \"" + name + "\"\n" + shader);
     expectRefused("check smear", "shaders/smear.glsl:1: '#include'");
     expectRefused("check smear", name);

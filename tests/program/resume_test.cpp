@@ -93,7 +93,7 @@ class Resume : public ::testing::Test {
 
   // A home with the shipped passes, scripts and shaders.
   std::string ownHome() const {
-    const std::string home = folder_ / "home";
+    std::string home = folder_ / "home";
     const char* source = std::getenv("STROBE_HOME");
     fs::path shipped = source ? fs::path(source) : sourceFolder();
     fs::create_directory(home);

@@ -29,7 +29,7 @@ return experiment {
 class BenchSlopes : public ::testing::Test {
  protected:
   Outcome slopes(const std::string& options) { return run("bench slopes " + options, "STROBE_VALIDATION=0"); }
-  std::string fileWith(std::string from = "", const std::string& to = "") {
+  std::string fileWith(const std::string& from = "", const std::string& to = "") {
     std::string text = kExperiment;
     if (!from.empty()) text.replace(text.find(from), from.size(), to);
     writeText(folder_ / "few.lua", text);

@@ -66,7 +66,8 @@ TEST_F(Tune, WritesAPresetAndAllResults) {
   Json record = Json::parse(contentOf(folder_ / "out.record.json"));
   EXPECT_EQ(record["scripts"].count(preset), 1u) << "recorded by its content";
   bool same = false;
-  for (const Json& group : seen) same = same || group["points"][1].value("image", "") == record["outputs"]["color"];
+  for (const Json& group : seen)
+    same = same || Json(group["points"][1].value("image", "")) == record["outputs"]["color"];
   EXPECT_TRUE(same);
 
   // A second run draws nothing and chooses the same point; `report` writes the page.

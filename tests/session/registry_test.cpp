@@ -250,7 +250,7 @@ class Registry : public SessionTest {
         if (!alive.count(key)) dead.insert(key);
       }
     }
-    for (const auto& [key, where] : alive) dead.erase(key), known.insert(key);
+    for (const auto& [key, where] : alive) dead.erase(key), known_.insert(key);
     std::vector<Alive> list;
     for (auto& [key, one] : alive) list.push_back(one);
     return list;
@@ -258,7 +258,7 @@ class Registry : public SessionTest {
 
   // True in the short form if the parameter of a pass changed a picture of an earlier pipeline.
   static bool isKnown(const std::string& key) {
-    return !allCases() && key.find('/') != std::string::npos && known.count(key);
+    return !allCases() && key.find('/') != std::string::npos && known_.count(key);
   }
 
   static bool isExempt(const std::string& pipeline, const std::string& key) {
@@ -362,7 +362,7 @@ class Registry : public SessionTest {
     }
   }
 
-  static inline std::set<std::string> known;  // parameters that changed a picture
+  static inline std::set<std::string> known_;  // parameters that changed a picture
 };
 
 TEST_F(Registry, EveryShippedPipelineIsTested) {

@@ -23,6 +23,7 @@ struct Share {
   int shard, shards, thinned;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): of GoogleTest
 void PrintTo(const Share& share, std::ostream* out) { *out << share.pipeline << " " << share.shard; }
 
 // A pipeline with presets has several times as many variants as others. In the run of tools/mutate, none of these cases
