@@ -4,6 +4,7 @@
 
 #include "base/frozen_home.h"
 #include "common/home.h"
+#include "common/source.h"
 #include "program/run.h"
 #include "study/points.h"
 
