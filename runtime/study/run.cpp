@@ -241,7 +241,7 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
     timeTurns(experiment, batch, store, left, worker, watch);
 }
 
-// Packs the complete points of this program, also those of earlier runs.
+// Packs the complete points of this program and of earlier runs.
 void packHere(const Store& store, const std::vector<TaskGroup>& groups) {
   std::vector<std::string> complete;
   for (const TaskGroup& group : groups)

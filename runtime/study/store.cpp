@@ -239,7 +239,7 @@ void Store::agreeOn(const Inputs& inputs, const std::string& version) const {
   writeFileAtomically(file, sealed(std::move(known)));
 }
 
-// Hash of an outline without the device, in which outlines of programs on different devices differ.
+// Hash of an outline without the device: equal for programs on different devices.
 static std::string hashOfOutline(Results outline) {
   outline.device = outline.driver = "", outline.software = false;
   for (PointGroup& group : outline.groups)
