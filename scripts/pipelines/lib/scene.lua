@@ -9,7 +9,7 @@ local tile_light_visibility = require "passes.tile.tile_light_visibility"
 local scene = {}
 
 -- Makes a layer: a table of images with one surface per pixel. A layer may lack any of the fields below; lib/paths adds
--- some of them.
+-- some of these fields.
 scene.layer = pipeline.record("a layer", {
   "valid", "normal", "hit", "light_visibility", "velocities", "bounds", "curve", "velocity_post", "post",
 })
